@@ -40,7 +40,7 @@ const STYLE = `
 @media (max-height: 480px) { .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
-  .bh-call:not(.low) { top: 44% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
+  .bh-call:not(.low) { top: 53% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
 @media (max-width: 759px), (max-height: 479px) { .game:has(.game-side:not([hidden])) :is(.bh-redraw, .bh-daily, .bh-call) { visibility: hidden } }
 .bh-hud.outside { font-size: 13px } .outside .bh-lives { top: -44px; left: 10px } .outside .bh-level { top: -44px; right: 10px; gap: 3px }
 .outside .bh-score { top: -22px; left: 10px; translate: none } .outside .bh-fuel { bottom: -40px; left: 10px }
@@ -115,6 +115,7 @@ export function createHud(parent: HTMLElement, palette: () => Palette, redraw: (
 function createRoot(parent: HTMLElement): HTMLElement {
   const root = document.createElement('div');
   root.className = 'bh-hud';
+  root.dataset.filmed = '';
   root.innerHTML = `<style>${STYLE}</style>
 <div class="bh-lives">${'<i></i>'.repeat(LIVES)}<span></span></div><div class="bh-score"></div>
 <div class="bh-level"><span></span><small></small></div>

@@ -28,6 +28,8 @@ export function createMagnetButton(parent: HTMLElement, toggle: () => void): Mag
 }
 
 const STYLE = `
+/* The hint lies beside the buttons. */
+@media (pointer: fine) { .game:has(.magnet-button) .game-hint { left: 188px } }
 .magnet-button { position: absolute; left: calc(max(20px, env(safe-area-inset-left)) + 76px);
   bottom: max(24px, env(safe-area-inset-bottom)); min-width: 76px; height: 64px; padding: 0 8px;
   border: 1px solid var(--line); border-radius: 20px; background: #ffffff1c; color: var(--ink); font: 600 14px/1 inherit;

@@ -19,14 +19,14 @@ const en = {
   },
   planets: { space: 'Space', moon: 'Moon', mars: 'Mars', earth: 'Earth', saturn: 'Saturn', jupiter: 'Jupiter' },
   help: {
-    tap: ['Tap, click', 'blow up what is there'],
+    tap: ['Tap, click', 'blow up what is there', 'Tap'],
     hold: ['Press and hold', 'time stands still; in 3D, drag on to look around'],
-    magnet: ['G, Magnet', 'press and hold is a magnet: balls fly there, and follow the pointer'],
-    pour: ['Hold V, Pour', 'pour balls from the ceiling'],
+    magnet: ['G, Magnet', 'press and hold is a magnet: balls fly there, and follow the pointer', 'Magnet'],
+    pour: ['Hold V, Pour', 'pour balls from the ceiling', 'Pour'],
     drag: ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
     tilt: ['Tilt', 'on phones and tablets: gravity follows the way the device is held'],
     rotate: ['Drag elsewhere', 'in 3D: rotate the view'],
-    zoom: ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button'],
+    zoom: ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button', 'Two fingers'],
   },
   hint: isTouch
     ? 'Tap to blow balls up, hold to stop time, drag to throw them'
@@ -55,14 +55,18 @@ const de: Words = {
   },
   planets: { space: 'Weltraum', moon: 'Mond', mars: 'Mars', earth: 'Erde', saturn: 'Saturn', jupiter: 'Jupiter' },
   help: {
-    tap: ['Tippen, klicken', 'sprengt auseinander, was dort ist'],
+    tap: ['Tippen, klicken', 'sprengt auseinander, was dort ist', 'Tippen'],
     hold: ['Gedrückt halten', 'die Zeit steht still; in 3D siehst du dich um, wenn du weiterziehst'],
-    magnet: ['G, Magnet', 'gedrückt halten ist ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger'],
-    pour: ['V halten, Gießen', 'gießt Bälle von der Decke'],
+    magnet: ['G, Magnet', 'gedrückt halten ist ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger', 'Magnet'],
+    pour: ['V halten, Gießen', 'gießt Bälle von der Decke', 'Gießen'],
     drag: ['Einen Ball ziehen', 'fasst ihn, und loslassen wirft ihn; jeder Finger kann einen fassen'],
     tilt: ['Neigen', 'auf Telefonen und Tablets: Die Schwerkraft folgt der Haltung des Geräts'],
     rotate: ['Daneben ziehen', 'dreht in 3D die Ansicht'],
-    zoom: ['Mausrad, zwei Finger', 'zoomt und verschiebt die Ansicht; ebenso Ziehen mit der rechten Maustaste'],
+    zoom: [
+      'Mausrad, zwei Finger',
+      'zoomt und verschiebt die Ansicht; ebenso Ziehen mit der rechten Maustaste',
+      'Zwei Finger',
+    ],
   },
   hint: isTouch
     ? 'Tippen sprengt die Bälle auseinander, Halten stoppt die Zeit, Ziehen wirft sie'

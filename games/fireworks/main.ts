@@ -1,5 +1,5 @@
 /** Fireworks: one scene, drawn in 2D by pixi.js and in 3D by three.js. */
-import { FOUR_WAYS, type HelpLine, startGame } from '@principia/shell';
+import { FOUR_WAYS, helpLines, startGame } from '@principia/shell';
 import { KEYBOARD_POINTER, PlayerControls } from './controls.ts';
 import { applyColors, reportState } from './report.ts';
 import { settings } from './settings.ts';
@@ -8,9 +8,6 @@ import { WORDS } from './words.ts';
 
 const controls = new PlayerControls(location.hash);
 
-const { help } = WORDS;
-const row = ([keys, text]: readonly string[], only?: 'keyboard'): HelpLine =>
-  only === undefined ? [keys, text] : [keys, text, only];
 document.title = WORDS.title;
 
 await startGame({
@@ -46,16 +43,5 @@ await startGame({
       open: async (context) => (await import('./view-3d.ts')).openView3D(context, controls),
     },
   },
-  help: [
-    row(help.launch),
-    row(help.aim, 'keyboard'),
-    row(help.next, 'keyboard'),
-    row(help.swarm),
-    row(help.timeline),
-    row(help.shows),
-    row(help.play, 'keyboard'),
-    row(help.write),
-    row(help.music),
-    row(help.drag),
-  ],
+  help: helpLines(WORDS.help, ['aim', 'next', 'play']),
 });

@@ -13,13 +13,14 @@ const en = {
     sparks: ['Barrage sparks', 'Number of sparks that the barrage keeps alive'],
   },
   help: {
-    launch: ['Click, tap', 'launch a shell to this point. Hold for a larger one; every finger launches its own'],
+    launch: ['Click, tap', 'launch a shell to this point. Hold for a larger one; every finger launches its own', 'Tap'],
     aim: ['Arrow keys, Enter', 'aim and fire; so do the stick and the first button of a gamepad'],
     next: ['K, C', 'next kind of shell, next colour'],
     swarm: ['Swarm', 'ignites where you release: two stars per second of holding, and each bursts into as many'],
     timeline: [
       'Show, T',
       'timeline: clicks add shells to your show. Drag marks to move them; Backspace undoes, Delete removes',
+      'Show',
     ],
     shows: ['Shows', 'choose a show: it plays at once, and it is on the timeline to change and to share'],
     play: ['L', 'play or stop your show'],
@@ -127,6 +128,7 @@ const de: Words = {
     launch: [
       'Klicken, tippen',
       'schießt eine Rakete an diese Stelle. Länger halten macht sie größer; jeder Finger schießt seine eigene',
+      'Tippen',
     ],
     aim: ['Pfeiltasten, Enter', 'zielen und zünden; ebenso der Stick und die erste Taste eines Gamepads'],
     next: ['K, C', 'nächste Rakete, nächste Farbe'],
@@ -134,6 +136,7 @@ const de: Words = {
     timeline: [
       'Show, T',
       'Zeitleiste: Klicks fügen deiner Show Raketen hinzu. Marken lassen sich ziehen; Rücktaste nimmt zurück, Entf löscht',
+      'Show',
     ],
     shows: ['Shows', 'wähle eine Show: sie läuft sofort und liegt auf der Zeitleiste, zum Ändern und Teilen'],
     play: ['L', 'deine Show abspielen oder anhalten'],

@@ -38,7 +38,7 @@ export const Deflections = defineComponent({
 
 /**
  * The air about the aeroplane: attached parts of the flow along the four panels of the wing, from left to right, the speed of
- * the propeller's wash, m/s, and its radius at the tail, m.
+ * the propeller's wash, m/s, its radius at the tail, m, and the rate at which the air itself rolls, rad/s.
  */
 export const Flow = defineComponent({
   fields: {
@@ -48,6 +48,7 @@ export const Flow = defineComponent({
     panel3: realField('', { initial: 1 }),
     wash: realField('m/s'),
     washRadius: realField('m'),
+    roll: realField('rad/s'),
   },
 });
 

@@ -19,10 +19,10 @@ import { aircraftForces } from './wing-laws.ts';
 const DEGREE = Math.PI / 180;
 const SPEED = 40;
 
-type FlowValues = Partial<Record<'panel0' | 'panel1' | 'panel2' | 'panel3' | 'wash' | 'washRadius', number>>;
+type FlowValues = Partial<Record<'panel0' | 'panel1' | 'panel2' | 'panel3' | 'wash' | 'washRadius' | 'roll', number>>;
 
 /** The force on the aeroplane, N, and the torque, N m, at an attitude in a wind from ahead, without weight and hull. */
-function loadsAt(attack: number, flow: FlowValues, { speed = SPEED, elevator = 0 } = {}) {
+function loadsAt(attack: number, flow: FlowValues, { speed = SPEED, elevator = 0, rolling = 0 } = {}) {
   const forces = aircraftForces({}).slice(3);
   const world = createPhysicsWorld({ dimensions: 3, capacity: 2, components: [Deflections, Flow], forces });
   // As heavy as a ship, and turning as slowly: within one short step nothing changes.
@@ -33,7 +33,7 @@ function loadsAt(attack: number, flow: FlowValues, { speed = SPEED, elevator = 0
     mass,
     inertiaTensor: { x: mass, y: mass, z: mass },
     orientation: {},
-    angularVelocity: {},
+    angularVelocity: { x: rolling },
   });
   addComponent(world, body, set(columnsOf(world, Deflections), { elevator }));
   addComponent(world, body, set(columnsOf(world, Flow), flow));
@@ -44,6 +44,7 @@ function loadsAt(attack: number, flow: FlowValues, { speed = SPEED, elevator = 0
     x: mass * (Velocity.x[body] - x),
     y: mass * (Velocity.y[body] - y),
     pitching: mass * AngularVelocity.z[body],
+    rolling: mass * (AngularVelocity.x[body] - rolling),
   };
 }
 
@@ -136,6 +137,26 @@ describe('separation of the flow', () => {
   });
 });
 
+describe('air that rolls', () => {
+  const attached = { panel0: 1, panel1: 1, panel2: 1, panel3: 1 };
+
+  it('turns the wing as the aeroplane’s own roll damps it: only their difference counts', () => {
+    const [rate, attack] = [0.2, 2 * DEGREE];
+    const pushed = loadsAt(attack, { ...attached, roll: rate }).rolling;
+    // The tail is damped by the aeroplane's own roll too, but the air rolls over the span of the wing alone.
+    const damped = loadsAt(attack, attached, { rolling: rate }).rolling;
+    const together = loadsAt(attack, { ...attached, roll: rate }, { rolling: rate }).rolling;
+    expect(pushed).toBeGreaterThan(1000);
+    expect(Math.abs(pushed + damped)).toBeLessThan(0.05 * pushed);
+    expect(Math.abs(together)).toBeLessThan(0.05 * pushed);
+    // Strips: L = ½ ρ V (dC_L/dα) A/4 Σ z² p.
+    const { wingArea } = AIRCRAFT;
+    const strips = 0.5 * AIR_DENSITY * SPEED * 4.8 * (wingArea / 4) * 2 * (4.1 ** 2 + 1.4 ** 2) * rate;
+    expect(pushed / strips).toBeGreaterThan(0.95);
+    expect(pushed / strips).toBeLessThan(1.05);
+  });
+});
+
 describe('the wash of the propeller', () => {
   it('satisfies momentum theory: T = 2 ρ A v (V + v), and lets the same air through disc and wash', () => {
     const disc = Math.PI * AIRCRAFT.propellerRadius ** 2;
@@ -168,6 +189,11 @@ describe('the wash of the propeller', () => {
     // The drag that lift induces acts 0.1 m above the centre: less than a hundredth.
     expect((pulled.pitching - still.pitching) / (4.6 * lift)).toBeGreaterThan(0.99);
     expect((pulled.pitching - still.pitching) / (4.6 * lift)).toBeLessThan(1.01);
-    expect(loadsAt(0, { ...flow, wash: 0 }, { speed: 0, elevator: 0.1 })).toEqual({ x: 0, y: 0, pitching: 0 });
+    expect(loadsAt(0, { ...flow, wash: 0 }, { speed: 0, elevator: 0.1 })).toEqual({
+      x: 0,
+      y: 0,
+      pitching: 0,
+      rolling: 0,
+    });
   });
 });

@@ -74,11 +74,13 @@ export class Airflow {
     return sum / PANELS.length;
   }
 
-  /** Moves the state by one step and writes it to the component. */
-  update(wind: Readonly<Axes>, thrust: number, { isUnsteady, hasWash }: FlowOptions, dt: number): void {
+  /** Moves the state by one step and writes it to the component. @param roll rate at which the air rolls, rad/s */
+  update(wind: Readonly<Axes>, roll: number, thrust: number, { isUnsteady, hasWash }: FlowOptions, dt: number): void {
     this.#look(wind);
+    this.#spin.x -= roll;
     const flow = columnsOf(this.#world, Flow);
     const [plane, state] = [this.#plane, this.#state];
+    flow.roll[plane] = roll;
     for (let i = 0; i < PANELS.length; i++) {
       this.#updatePanel(i, isUnsteady, dt);
       flow[ATTACHED[i]][plane] = state[2 * i];

@@ -1,6 +1,7 @@
 // Gusts against the specification: deviations, correlations and spectra, from long flights at one height and speed.
 import { describe, expect, it } from 'vitest';
-import { DrydenGusts, turbulenceAt } from './dryden-gusts.ts';
+import { AIRCRAFT } from './aircraft.ts';
+import { DrydenGusts, rollDeviation, turbulenceAt } from './dryden-gusts.ts';
 
 const STILL = { x: 0, y: 0, z: 0 };
 const FOOT = 0.3048;
@@ -86,6 +87,27 @@ describe('a long flight', () => {
       near(spectrum(along, PART, omega, 800), 2 / Math.PI / (1 + square));
       near(spectrum(across, PART, omega, 800), (1 + 3 * square) / (1 + square) ** 2 / Math.PI);
     }
+  });
+
+  it('rolls as the specification says: its deviation is the integral of its spectrum, and it forgets over 4 b/π', () => {
+    const { span } = AIRCRAFT;
+    const { vertical } = at(60);
+    // Φ_p of MIL-F-8785C, summed to 400 times where it has fallen by half; what is left is 2/(400 π) of it.
+    const scale = (4 * span) / Math.PI;
+    const [count, part] = [400_000, 0.001 / scale];
+    let sum = 0;
+    for (let i = 0; i < count; i++) sum += part / (1 + (scale * (i + 0.5) * part) ** 2);
+    const variance = (sum / vertical) * 0.8 * ((Math.PI * vertical) / (4 * span)) ** (1 / 3);
+    expect(rollDeviation(vertical) ** 2 / variance).toBeCloseTo(1, 2);
+    const speed = 40;
+    const dt = (PART * scale) / speed;
+    const gusts = new DrydenGusts(STILL, 2, 3);
+    const rolls = Float64Array.from({ length: COUNT }, (_, i) => {
+      gusts.step(i * dt, dt, 60, speed, 1, 0);
+      return gusts.roll / (2 * rollDeviation(vertical));
+    });
+    expect(Math.abs(correlation(rolls, 0) - 1)).toBeLessThan(0.06);
+    expect(Math.abs(correlation(rolls, 20) - Math.exp(-1))).toBeLessThan(0.06);
   });
 
   it('does not depend on the step but by chance: exact filters have the same variance at any', () => {

@@ -51,6 +51,7 @@ export function createHud(
   goal.className = 'fs-goal';
   const distance = document.createElement('span');
   goal.append(document.createElement('i'), distance);
+  for (const each of [instruments.element, task, goal]) each.dataset.filmed = '';
   const rudder = createRudderSlider(present);
   root.append(style, task, goal, instruments.element, rudder.element);
   parent.append(root);

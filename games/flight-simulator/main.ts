@@ -49,5 +49,5 @@ await startGame({
     release: (flight, name) => flight.press(name, false),
     steer: (flight, x, y) => flight.stick(x, y),
   },
-  help: helpLines(WORDS.help),
+  help: helpLines(WORDS.help, ['mouse']),
 });

@@ -193,7 +193,7 @@ export class Flight {
     }
     this.#flow.isUnsteady = unsteady;
     this.#flow.hasWash = propwash;
-    this.#air.update(this.wind, push, this.#flow, dt);
+    this.#air.update(this.wind, turbulence > 0 ? this.#gusts.roll : 0, push, this.#flow, dt);
   }
 
   /** The autopilot begins with the altitude at which it is switched on, and not before the aeroplane flies. */

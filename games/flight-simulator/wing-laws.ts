@@ -59,7 +59,11 @@ type Coefficient = (alpha: ScalarSymbol) => ScalarSymbol;
 
 const arm = (body: Body, { position: { x, y, z } }: Surface) => body.rotate(vec3(x, y, z));
 
-/** @param deflected change of the angle of attack by a control surface @param wash added to the air from ahead, m/s */
+/**
+ * @param deflected change of the angle of attack by a control surface
+ * @param wash added to the air from ahead, m/s
+ * @param turning rotation relative to the air, rad/s
+ */
 function liftAndDrag(
   body: Body,
   surface: Surface,
@@ -67,10 +71,11 @@ function liftAndDrag(
   deflected: ScalarSymbol,
   [lift, drag]: readonly [Coefficient, Coefficient],
   wash?: ScalarSymbol,
+  turning = body.angularVelocity,
 ): VectorSymbol {
   const s = body.rotate(axial3(surface.span.x, surface.span.y, surface.span.z));
   const f = body.rotate(vec3(1, 0, 0));
-  const still = body.velocity.add(body.angularVelocity.cross(arm(body, surface))).sub(wind);
+  const still = body.velocity.add(turning.cross(arm(body, surface))).sub(wind);
   const u = wash === undefined ? still : still.add(f.mul(wash));
   const w = u.sub(s.mul(s.dot(u)));
   const alpha = w.dot(s.cross(f)).negate().atan2(w.dot(f)).add(surface.incidence).add(deflected);
@@ -93,12 +98,13 @@ function panelLaw(index: 0 | 1 | 2 | 3) {
       return piecewiseLinear(alpha, attached).sub(apart).mul(share).add(apart);
     };
   };
-  type Read = Body & { readonly flow: Readonly<Record<`panel${0 | 1 | 2 | 3}`, ScalarSymbol>> } & Controls;
+  type Read = Body & { readonly flow: Readonly<Record<`panel${0 | 1 | 2 | 3}` | 'roll', ScalarSymbol>> } & Controls;
   const force = (body: Read, air: VectorSymbol) => {
     const root = body.flow[`panel${index}`].sqrt().add(1);
     const share = root.square().sub(1).div(3);
     const curves = [mixed(share, ATTACHED_LIFT, SEPARATED_LIFT), mixed(share, ATTACHED_DRAG, SEPARATED_DRAG)] as const;
-    return liftAndDrag(body, surface, air, body.controls.aileron.mul(aileron), curves);
+    const turning = body.angularVelocity.sub(body.rotate(axial3(1, 0, 0)).mul(body.flow.roll));
+    return liftAndDrag(body, surface, air, body.controls.aileron.mul(aileron), curves, undefined, turning);
   };
   return defineLaw({
     name: `wing panel ${index}`,

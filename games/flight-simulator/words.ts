@@ -19,12 +19,16 @@ const en = {
   },
   missions: { circuit: 'A circuit', landing: 'A landing', free: 'Free flight' },
   help: {
-    stick: ['Arrow keys, stick', '← and → bank; ↓ pulls the stick and raises the nose, ↑ lowers it'],
-    throttle: ['T and G, ⇧ and ⇩', 'more and less throttle'],
-    brake: ['N, ■', 'brake on the ground'],
-    rudder: ['A and D, slider', 'rudder, which also steers on the ground; the slider stays where a mouse leaves it'],
+    stick: ['Arrow keys, stick', '← and → bank; ↓ pulls the stick and raises the nose, ↑ lowers it', 'Stick'],
+    throttle: ['T and G, ⇧ and ⇩', 'more and less throttle', '⇧ and ⇩'],
+    brake: ['N, ■', 'brake on the ground', '■'],
+    rudder: [
+      'A and D, slider',
+      'rudder, which also steers on the ground; the slider stays where a mouse leaves it',
+      'Slider',
+    ],
     mouse: ['Mouse', 'drag it like the stick; the wheel is the throttle, and below idle the brake'],
-    look: ['Right button, one finger', 'look around'],
+    look: ['Right button, one finger', 'look around', 'One finger'],
   },
   /** What to do next. */
   tasks: {
@@ -104,12 +108,20 @@ const de: Words = {
   },
   missions: { circuit: 'Eine Platzrunde', landing: 'Eine Landung', free: 'Freier Flug' },
   help: {
-    stick: ['Pfeiltasten, Stick', '← und → legen in die Kurve; ↓ zieht den Knüppel und hebt die Nase, ↑ senkt sie'],
-    throttle: ['T und G, ⇧ und ⇩', 'mehr und weniger Gas'],
-    brake: ['N, ■', 'Bremse am Boden'],
-    rudder: ['A und D, Schieber', 'Seitenruder, das auch am Boden lenkt; der Schieber bleibt, wo die Maus ihn lässt'],
+    stick: [
+      'Pfeiltasten, Stick',
+      '← und → legen in die Kurve; ↓ zieht den Knüppel und hebt die Nase, ↑ senkt sie',
+      'Stick',
+    ],
+    throttle: ['T und G, ⇧ und ⇩', 'mehr und weniger Gas', '⇧ und ⇩'],
+    brake: ['N, ■', 'Bremse am Boden', '■'],
+    rudder: [
+      'A und D, Schieber',
+      'Seitenruder, das auch am Boden lenkt; der Schieber bleibt, wo die Maus ihn lässt',
+      'Schieber',
+    ],
     mouse: ['Maus', 'zieh sie wie den Knüppel; das Rad gibt Gas und bremst unter dem Leerlauf'],
-    look: ['Rechte Taste, ein Finger', 'umsehen'],
+    look: ['Rechte Taste, ein Finger', 'umsehen', 'Ein Finger'],
   },
   tasks: {
     stall: 'Strömungsabriss! Nase runter und Gas geben',

@@ -29,8 +29,8 @@ const LOG_RANGE = Math.log(RATES.max / RATES.min);
 export function createHud(context: ViewContext<Settings, SolarGame>, page: Page, plan: FlightPlan): Hud {
   const root = document.createElement('div');
   root.className = 'ss';
-  root.innerHTML = `<style>${HUD_STYLE}</style><div class="ss-labels"></div>
-<div class="ss-date"><b></b><span></span><em role="status"></em>
+  root.innerHTML = `<style>${HUD_STYLE}</style><div class="ss-labels" data-filmed="all"></div>
+<div class="ss-date" data-filmed><b></b><span></span><em role="status"></em>
 <div class="ss-pick"><input type="date" aria-label="${WORDS.date}" title="${WORDS.goToDate}" min="${dayText(DATES.first)}" max="${dayText(DATES.last)}">
 <button type="button">${WORDS.today}</button></div></div>
 <div class="ss-foot"><div class="ss-time"><span>${WORDS.slowest}</span><input type="range" min="0" max="1" step="0.002" aria-label="${WORDS.timeSpeed}">

@@ -4,6 +4,8 @@ import { AmbientLight, Group, PointLight, SphereGeometry, Sprite, SpriteMaterial
 import { LOOKS, PROBE_COLOR } from './bodies.ts';
 import type { FlightPlan } from './flight-plan.ts';
 import { createGlobe, type Globe } from './globes.ts';
+import { MOON_NAMES, type MoonName } from './large-moons.ts';
+import { createMoonBalls } from './moon-balls.ts';
 import { createOrbitLine, type OrbitLine, osculatingEllipse } from './orbit-line.ts';
 import { createPathLine } from './path-line.ts';
 import type { Values } from './settings.ts';
@@ -23,10 +25,12 @@ const MAX_INTERPOLATED = 2 * DAY;
 /** Smallest drawn radius of a body in its true size, and that of the probe, CSS pixels. */
 const MIN_PIXELS = 0.8;
 const PROBE_PIXELS = 5;
+/** That of a large moon in the enlarged scale. */
+const MOON_PIXELS = 2.6;
 
 /** A body or the probe in the picture. */
 export interface Spot {
-  readonly name: BodyName | 'probe' | 'meeting';
+  readonly name: BodyName | 'probe' | 'meeting' | MoonName;
   /** Millions of km from the followed body. */
   readonly place: Vector;
   /** Drawn radius, millions of km. */
@@ -59,12 +63,13 @@ export interface PictureOptions {
 export function createPicture(game: () => SolarGame, plan: FlightPlan): SolarPicture {
   const parts = createParts();
   const { object, path, trails } = parts;
-  const spots: Spot[] = [...BODY_NAMES, 'probe' as const, 'meeting' as const].map((name) => ({
+  const spots: Spot[] = [...BODY_NAMES, 'probe' as const, 'meeting' as const, ...MOON_NAMES].map((name) => ({
     name,
     place: vector(),
     radius: 0,
     isShown: false,
   }));
+  const spotOf = (name: Spot['name']) => spots.find((spot) => spot.name === name) as Spot;
   const focus = vector();
   let shownPath = -1;
   return {
@@ -85,6 +90,13 @@ export function createPicture(game: () => SolarGame, plan: FlightPlan): SolarPic
       const origin = toPicture(sun);
       for (const { position } of [parts.light, path.object, trails.object]) position.copy(origin);
       showGlobes(sim, spots, parts, options);
+      parts.moons.update(spotOf, {
+        days: sim.clock.julianDate - EPOCH,
+        daysAPicture: (sim.clock.actualRate * sim.dt) / DAY,
+        unit: UNIT,
+        minPixels: options.values.enlarged ? MOON_PIXELS : MIN_PIXELS,
+        pixelAt: options.pixelAt,
+      });
       for (const [name, line] of parts.lines) {
         const centre = places.get(name === 'moon' ? 'earth' : 'sun') as Vector;
         line.object.visible = options.values.orbits;
@@ -108,6 +120,7 @@ function createParts() {
   const object = new Group();
   const sphere = new SphereGeometry(1, 48, 32);
   const globes = new Map<BodyName, Globe>(BODY_NAMES.map((name) => [name, createGlobe(name, sphere)]));
+  const moons = createMoonBalls(sphere);
   const orbiting = BODY_NAMES.filter((name) => name !== 'sun');
   const lines = new Map<BodyName, OrbitLine>(orbiting.map((name) => [name, createOrbitLine(LOOKS[name].color)]));
   const sky = createSky(SKY_DISTANCE);
@@ -116,15 +129,15 @@ function createParts() {
   const trails = createTrails();
   const glow = paintGlow('#ffffff', 0.35);
   const probe = new Sprite(new SpriteMaterial({ map: glow, color: PROBE_COLOR, depthWrite: false, depthTest: false }));
-  object.add(sky.object, light, new AmbientLight(0x8090c0, 0.16), path.object, trails.object, probe);
+  object.add(sky.object, light, new AmbientLight(0x8090c0, 0.16), path.object, trails.object, moons.object, probe);
   for (const { object: part } of [...globes.values(), ...lines.values()]) object.add(part);
   const destroy = () => {
-    for (const part of [...globes.values(), ...lines.values(), sky, path, trails]) part.destroy();
+    for (const part of [...globes.values(), ...lines.values(), moons, sky, path, trails]) part.destroy();
     sphere.dispose();
     glow.dispose();
     probe.material.dispose();
   };
-  return { object, globes, lines, light, path, trails, probe, numbers: new Float64Array(6), destroy };
+  return { object, globes, lines, moons, light, path, trails, probe, numbers: new Float64Array(6), destroy };
 }
 
 /** Places bodies and probe, and gives them their size. */

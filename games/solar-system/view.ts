@@ -6,6 +6,7 @@ import { LOOKS, PROBE_COLOR } from './bodies.ts';
 import { FlightPlan } from './flight-plan.ts';
 import { createHud } from './hud.ts';
 import { createLabels } from './labels.ts';
+import { LARGE_MOONS, MOON_NAMES, type MoonName } from './large-moons.ts';
 import type { Page } from './page.ts';
 import { createPicture, type FollowName, type SolarPicture, type Spot, UNIT } from './picture.ts';
 import type { Settings } from './settings.ts';
@@ -76,8 +77,12 @@ export async function openView(context: ViewContext<Settings, SolarGame>, page: 
   };
 }
 
+const isLargeMoon = (name: Spot['name']): name is MoonName => name in LARGE_MOONS;
+
+/** Follows a body, and of a large moon its planet. */
 function follow(context: ViewContext<Settings, SolarGame>, page: Page, { name }: Spot): void {
-  page.follow = name === 'meeting' ? (context.sim().mission?.target ?? 'sun') : name;
+  if (isLargeMoon(name)) page.follow = LARGE_MOONS[name].planet;
+  else page.follow = name === 'meeting' ? (context.sim().mission?.target ?? 'sun') : name;
 }
 
 /** Returns a function that brings the picture up to date, and sends the camera to what the player follows. */
@@ -146,6 +151,7 @@ function textsOf(): readonly (readonly [string, string])[] {
     ...BODY_NAMES.map((name) => [WORDS.bodies[name][0], LOOKS[name].color] as const),
     [WORDS.probe, PROBE_COLOR],
     ['◎', PROBE_COLOR],
+    ...MOON_NAMES.map((name) => [WORDS.largeMoons[name], LARGE_MOONS[name].color] as const),
   ];
 }
 

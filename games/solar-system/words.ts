@@ -14,8 +14,8 @@ const en = {
     sound: 'Sound',
   },
   help: {
-    follow: ['Tap a body, 0–9', 'follow it: 0 is the Sun, 3 the Earth, 9 Neptune'],
-    view: ['Drag, wheel, pinch', 'turn the view and zoom'],
+    follow: ['Tap a body, 0–9', 'follow it: 0 is the Sun, 3 the Earth, 9 Neptune', 'Tap a body'],
+    view: ['Drag, wheel, pinch', 'turn the view and zoom', 'Drag, pinch'],
     time: ['Arrow keys', 'time runs twice as fast, or half as fast'],
     missions: ['Missions', 'launch a probe: set its change of velocity, and let planets pull it'],
     forward: ['Forward', 'along the orbit: more of it leads farther from the Sun on the other side'],
@@ -36,6 +36,7 @@ const en = {
     neptune: ['Neptune', 'Neptune'],
     pluto: ['Pluto', 'Pluto'],
   },
+  largeMoons: { io: 'Io', europa: 'Europa', ganymede: 'Ganymede', callisto: 'Callisto', titan: 'Titan' },
   probe: 'Probe',
   date: 'Date',
   goToDate: 'Go to a date',
@@ -154,8 +155,8 @@ const de: Words = {
     sound: 'Ton',
   },
   help: {
-    follow: ['Tippen, 0–9', 'folgt einem Körper: 0 ist die Sonne, 3 die Erde, 9 Neptun'],
-    view: ['Ziehen, Mausrad', 'dreht und zoomt die Ansicht'],
+    follow: ['Tippen, 0–9', 'folgt einem Körper: 0 ist die Sonne, 3 die Erde, 9 Neptun', 'Tippen'],
+    view: ['Ziehen, Mausrad', 'dreht und zoomt die Ansicht', 'Ziehen, zwei Finger'],
     time: ['Pfeiltasten', 'die Zeit läuft doppelt oder halb so schnell'],
     missions: [
       'Missionen',
@@ -178,6 +179,7 @@ const de: Words = {
     neptune: ['Neptun', 'den Neptun'],
     pluto: ['Pluto', 'den Pluto'],
   },
+  largeMoons: { io: 'Io', europa: 'Europa', ganymede: 'Ganymed', callisto: 'Kallisto', titan: 'Titan' },
   probe: 'Sonde',
   date: 'Datum',
   goToDate: 'Zu einem Datum gehen',

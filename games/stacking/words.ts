@@ -22,9 +22,9 @@ const en = {
     islands: 'Islands',
   },
   help: {
-    ball: ['C, ●', 'throw a heavy ball'],
-    block: ['N, ■', 'drop a block'],
-    blast: ['T, ✶', 'blow up the middle'],
+    ball: ['C, ●', 'throw a heavy ball', '●'],
+    block: ['N, ■', 'drop a block', '■'],
+    blast: ['T, ✶', 'blow up the middle', '✶'],
     drag: ['Drag a body', 'move it, stack it, release to throw it'],
     joints: ['Hinge, Motor, Weld', 'tap where two bodies touch, or a body that is to be joined to the background'],
     cut: ['Cut', 'swipe through bodies'],
@@ -76,9 +76,9 @@ const de: Words = {
     islands: 'Inseln',
   },
   help: {
-    ball: ['C, ●', 'wirft eine schwere Kugel'],
-    block: ['N, ■', 'lässt einen Klotz fallen'],
-    blast: ['T, ✶', 'sprengt die Mitte'],
+    ball: ['C, ●', 'wirft eine schwere Kugel', '●'],
+    block: ['N, ■', 'lässt einen Klotz fallen', '■'],
+    blast: ['T, ✶', 'sprengt die Mitte', '✶'],
     drag: ['Einen Körper ziehen', 'bewegt und stapelt ihn, loslassen wirft ihn'],
     joints: [
       'Gelenk, Motor, Kleben',

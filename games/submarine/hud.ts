@@ -37,6 +37,7 @@ const FRAMES = 6;
 export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
   const root = document.createElement('div');
   root.className = 'sub-hud';
+  root.dataset.filmed = '';
   const { tank, hull, air, breath } = WORDS.gauges;
   const bar = (name: string, color: string, mark = '') => `<em>${name}</em><i style="--c: ${color}"><b></b>${mark}</i>`;
   root.innerHTML = `<style>${STYLE}</style><div class="sub-panel"><div class="sub-goal"></div><div class="sub-say" role="status"></div><div class="sub-depth"></div><div class="sub-gauges">${bar(tank, '#4aa8ff', '<u></u>')}${bar(hull, '#ffc15e')}${bar(air, '#9ff5e2')}${bar(breath, '#ff9d8a')}</div></div>`;

@@ -311,6 +311,43 @@ describe('other hands', () => {
     expect(await stick.isVisible()).toBe(false);
   });
 
+  it('a phone lying on its side shows the whole card of the result with a full list of scores, and all of the help', async () => {
+    const size = { width: 844, height: 390 };
+    const page = await play('manual&seed=2', {
+      viewport: size,
+      prepare: () => {
+        const scores = [1200, 900, 800, 700, 600].map((score) => ({ score, day: '2001-12-31' }));
+        localStorage.setItem('principia scores: Black hole', JSON.stringify(scores));
+      },
+    });
+    await page.keyboard.press('h');
+    const [foot, lines] = [page.locator('.game-help footer'), page.locator('.game-help dl')];
+    await lines.evaluate((list) => list.lastElementChild?.scrollIntoView({ block: 'end' }));
+    await lines.evaluate((list) => list.parentElement?.scrollTo(0, 1e4));
+    const [below, above] = [await foot.boundingBox(), await lines.boundingBox()];
+    expect((above?.y ?? 0) + (above?.height ?? 1e4)).toBeLessThanOrEqual(below?.y ?? 0);
+    await page.keyboard.press('h');
+    for (let i = 0; i < 40 && (await told(page)).phase !== 'over'; i++) {
+      await page.keyboard.down('ArrowUp');
+      await steps(page, 1);
+      await page.keyboard.up('ArrowUp');
+      await steps(page, 600);
+    }
+    const card = page.locator('.game-outcome');
+    await card.waitFor();
+    expect(await card.locator('li').count()).toBe(5);
+    const { x, y, width, height } = (await card.boundingBox()) as {
+      x: number;
+      y: number;
+      width: number;
+      height: number;
+    };
+    expect(Math.min(x, y)).toBeGreaterThanOrEqual(8);
+    expect(x + width).toBeLessThanOrEqual(size.width - 8);
+    expect(y + height).toBeLessThanOrEqual(size.height - 8);
+    expect(await card.evaluate((each) => each.scrollHeight - each.clientHeight)).toBe(0);
+  });
+
   it('plays itself when nobody does, until somebody does', async () => {
     const page = await play('manual&seed=4');
     await steps(page, 120 * 14);

@@ -15,8 +15,19 @@ document.body.append(root);
 const canvas = document.createElement('canvas');
 canvas.width = 1601;
 canvas.height = 800;
+canvas.style.cssText = 'position: fixed; left: 0; top: 0; width: 400px; height: 200px';
 const pen = canvas.getContext('2d') as CanvasRenderingContext2D;
 const banner = createBanner(root);
+// What a game shows over its picture, a button among it, and something that only the page shows.
+const gauges = document.createElement('div');
+gauges.dataset.filmed = '';
+gauges.innerHTML = `<style>.lab { position: fixed; width: 80px; height: 40px; top: 100px; background: #000; color: #fff; font: 700 20px/40px sans-serif }</style>
+<div class="lab" style="left: 0">Level 7</div><div class="lab" style="left: 100px; visibility: hidden">Hidden</div><button class="lab" style="left: 200px">Press</button>`;
+const panel = document.createElement('div');
+panel.className = 'lab';
+panel.style.left = '300px';
+root.append(canvas, gauges, panel);
+for (const each of [canvas, gauges, panel]) each.style.pointerEvents = 'none';
 let resumed = 0;
 const sharing: Sharing = new Sharing({
   title: 'Black hole',
@@ -32,6 +43,7 @@ const sharing: Sharing = new Sharing({
   clipSeconds: SECONDS,
 });
 const button = createClipButton(sharing);
+button.button.style.cssText = 'position: fixed; top: 300px';
 root.append(button.button);
 let frame = 0;
 const draw = () => {
@@ -51,6 +63,23 @@ function hum(count: number): void {
     connectToSpeakers(tone);
     tone.start();
   }
+}
+
+/** Shares of black and of white points in boxes of 80 by 40 in a frame that shows 400 by 200, at these places. */
+function tones(video: HTMLVideoElement, places: readonly (readonly [x: number, y: number])[]) {
+  const frame = new OffscreenCanvas(400, 200);
+  const context = frame.getContext('2d') as OffscreenCanvasRenderingContext2D;
+  context.drawImage(video, 0, 0, 400, 200);
+  return places.map(([x, y]) => {
+    const { data } = context.getImageData(x, y, 80, 40);
+    let [black, white] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const [least, most] = [Math.min(data[i], data[i + 1], data[i + 2]), Math.max(data[i], data[i + 1], data[i + 2])];
+      if (most < 60) black++;
+      if (least > 180) white++;
+    }
+    return { black: black / 3200, white: white / 3200 };
+  });
 }
 
 /** What a browser finds in a video. */
@@ -73,7 +102,30 @@ async function inspect(data: string, type: string) {
     .decodeAudioData(Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0)).buffer)
     .then((sound) => sound.getChannelData(0).reduce((most, value) => Math.max(most, value), 0))
     .catch(() => 0);
-  return { width: video.videoWidth, height: video.videoHeight, seconds: video.duration, loudness: heard };
+  // A frame in the middle: behind the last one, browsers show black.
+  const { duration } = video;
+  await new Promise((done) => {
+    video.onseeked = done;
+    video.currentTime = duration / 2;
+  });
+  const [shown, hidden, button, unmarked, title] = tones(video, [
+    [0, 100],
+    [100, 100],
+    [200, 100],
+    [300, 100],
+    [15, 10],
+  ]);
+  return {
+    shown,
+    hidden,
+    button,
+    unmarked,
+    title,
+    width: video.videoWidth,
+    height: video.videoHeight,
+    seconds: duration,
+    loudness: heard,
+  };
 }
 
 const lab = {

@@ -75,6 +75,18 @@ test.each([0, 1, 2])('is a video that plays, of the length it promised, with the
   }),
 );
 
+test('shows the title and what the game marks, but no buttons and nothing hidden', () =>
+  withPage(async (page) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), clipButton(page).click()]);
+    const type = download.suggestedFilename().endsWith('mp4') ? 'video/mp4' : 'video/webm';
+    const clip = await page.evaluate(([data, kind]) => clipLab.inspect(data, kind), [await base64Of(download), type]);
+    // Letters cover a tenth of their box; the picture behind has neither black nor white.
+    expect(clip.shown.black).toBeGreaterThan(0.6);
+    expect(clip.shown.white).toBeGreaterThan(0.03);
+    expect(clip.title.white).toBeGreaterThan(0.03);
+    for (const { black, white } of [clip.hidden, clip.button, clip.unmarked]) expect(black + white).toBeLessThan(0.01);
+  }));
+
 test('counts down on its button, which gives the clip up when it is pressed again', () =>
   withPage(async (page) => {
     const before = await clipButton(page).textContent();

@@ -1,3 +1,4 @@
+import type { FilmOverlay } from './film-overlay.ts';
 import { fileName } from './screenshot.ts';
 import { openSoundTrack, type SoundTrack } from './sound-outputs.ts';
 import { startVideo, type VideoRecording } from './video-recording.ts';
@@ -20,6 +21,8 @@ export interface ClipOptions {
   /** Receives a sentence when there is no clip in the end. */
   readonly onFailure: (sentence: string) => void;
   readonly seconds?: number;
+  /** Paints what lies over the picture. */
+  readonly overlay: FilmOverlay;
 }
 
 /** A short video of the play that follows, with the sound that the page plays. */
@@ -50,6 +53,7 @@ export class Clip {
       this.#recording = startVideo(canvas, (video, extension) => this.#finish(video, time, extension), {
         ...CLIP_QUALITY,
         maxSeconds: this.seconds,
+        overlay: this.#options.overlay,
         onStart: () => this.#countFromNow(),
         ...(this.#sound === undefined ? {} : { sound: this.#sound.track }),
       });

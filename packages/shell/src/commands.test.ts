@@ -38,8 +38,8 @@ it('leaves the keys that a game takes to the game, in the help too', () => {
     controls: { buttons: FOUR_WAYS, press() {}, release() {} },
     renderers: { pixi: renderer(2), three: renderer(3) },
     help: [
-      ['Drag', 'throw'],
-      ['Arrow keys', 'steer', 'keyboard'],
+      ['Drag, click', 'throw', 'Drag'],
+      ['Arrow keys', 'steer', ''],
     ],
   } as unknown as Game;
   const { pressed, help, gestures } = gameCommands(game, actions);
@@ -48,7 +48,7 @@ it('leaves the keys that a game takes to the game, in the help too', () => {
   pressed['3']();
   expect(done).toEqual(['toggle mute', 'renderer three']);
   expect(help.slice(0, 4)).toEqual([
-    ['Drag', 'throw'],
+    ['Drag, click', 'throw'],
     ['Arrow keys', 'steer'],
     ['M', 'Sound on or off'],
     ['2 3', 'draw in 2D or 3D'],

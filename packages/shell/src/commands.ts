@@ -92,7 +92,9 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   }
   const own = game.help ?? [];
   const line = ([keys, text]: HelpLine) => [keys, text] as const;
-  const gestures = own.filter(([, , input]) => input !== 'keyboard').map(line);
+  const gestures = own
+    .filter(([, , onTouch]) => onTouch !== '')
+    .map(([input, text, onTouch = input]) => [onTouch, text] as const);
   return { pressed, released, help: [...own.map(line), ...help], gestures };
 }
 

@@ -95,8 +95,8 @@ export interface GameCard<Sim extends Simulation> {
   show(sim: Sim): void;
 }
 
-/** A line of the help: keys or gestures, what they do, and `keyboard` where a touch screen does not need the line. */
-export type HelpLine = readonly [input: string, description: string, only?: 'keyboard'];
+/** A line of the help: keys or gestures, what they do, and how a touch screen names them: empty where it needs no such line. */
+export type HelpLine = readonly [input: string, description: string, onTouch?: string];
 
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {

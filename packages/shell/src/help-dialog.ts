@@ -17,7 +17,14 @@ export function createHelpDialog(
   const close = element('button', '', { type: 'button' }, words().close);
   // The title has the focus so that the dialog opens scrolled to its top; Tab moves on to the button.
   const heading = element('h2', '', { tabindex: '-1', autofocus: '' }, title);
-  const dialog = element('dialog', 'game-help', { 'aria-label': words().help }, heading, list, close);
+  const dialog = element(
+    'dialog',
+    'game-help',
+    { 'aria-label': words().help },
+    heading,
+    list,
+    element('footer', '', {}, close),
+  );
   parent.append(dialog);
   const toggle = () => (dialog.open ? dialog.close() : dialog.showModal());
   close.addEventListener('click', toggle);

@@ -43,7 +43,7 @@ export function createOutcomeCard(
   const lines = element('div', '');
   const list = element('ol', '', { 'aria-label': words().highScores });
   const button = element('button', '', { type: 'button' }, words().playAgain);
-  const card = element('section', 'game-outcome', { role: 'alert' }, title, lines, list, button);
+  const card = element('section', 'game-outcome', { role: 'alert', 'data-filmed': '' }, title, lines, list, button);
   if (watch !== undefined) {
     const replay = element('button', 'second', { type: 'button' }, words().watchReplay);
     replay.addEventListener('click', watch);

@@ -1,3 +1,4 @@
+import type { FilmOverlay } from './film-overlay.ts';
 import { download, fileName, screenshotPng } from './screenshot.ts';
 import { startVideo, type VideoRecording } from './video-recording.ts';
 
@@ -5,12 +6,17 @@ import { startVideo, type VideoRecording } from './video-recording.ts';
 export class Recorder {
   readonly #title: string;
   readonly #onChange: () => void;
+  readonly #overlay: FilmOverlay;
   #recording: VideoRecording | undefined;
 
-  /** @param onChange called when a recording starts or ends */
-  constructor(title: string, onChange: () => void) {
+  /**
+   * @param onChange called when a recording starts or ends
+   * @param overlay paints what lies over the picture into videos; a screenshot is the bare picture
+   */
+  constructor(title: string, onChange: () => void, overlay: FilmOverlay) {
     this.#title = title;
     this.#onChange = onChange;
+    this.#overlay = overlay;
   }
 
   get isRecording(): boolean {
@@ -30,11 +36,12 @@ export class Recorder {
       this.#recording.stop();
       return;
     }
-    this.#recording = startVideo(canvas, (blob, extension) => {
+    const end = (blob: Blob, extension: string) => {
       this.#recording = undefined;
       this.#onChange();
       download(blob, fileName(this.#title, time, extension));
-    });
+    };
+    this.#recording = startVideo(canvas, end, { overlay: this.#overlay });
     this.#onChange();
   }
 

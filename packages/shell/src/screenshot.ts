@@ -1,3 +1,4 @@
+import type { FilmOverlay } from './film-overlay.ts';
 import { words } from './words.ts';
 
 // Screenshots of a game: the canvas drawn over the page's background.
@@ -9,8 +10,11 @@ const BACKGROUND = [
   [1, '#0d1226'],
 ] as const;
 
-/** Draws a canvas over the background; call it right after the canvas was drawn, before the browser clears it. */
-export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvasElement): void {
+/**
+ * Draws a canvas over the background; call it right after the canvas was drawn, before the browser clears it.
+ * @param overlay paints what lies over it
+ */
+export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvasElement, overlay?: FilmOverlay): void {
   const { width, height } = target;
   const context = target.getContext('2d', { alpha: false });
   if (context === null) throw new Error(words().noMemory);
@@ -19,6 +23,7 @@ export function drawOverBackground(source: HTMLCanvasElement, target: HTMLCanvas
   context.fillStyle = gradient;
   context.fillRect(0, 0, width, height);
   context.drawImage(source, 0, 0, width, height);
+  overlay?.(target, source);
 }
 
 /**
@@ -58,6 +63,6 @@ export function download(blob: Blob, name: string): void {
 
 /** `Black hole` at 12.34 s: `black-hole-12.3s.png`. */
 export function fileName(title: string, time: number, extension: string): string {
-  const words = title.toLowerCase().replace(/[^a-z0-9]+/g, '-');
+  const words = title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-');
   return `${words}-${time.toFixed(1)}s.${extension}`;
 }

@@ -5,6 +5,7 @@ import { type ClipCard, canShareFile, createClipCard } from './clip-card.ts';
 import { hasCoarsePointer } from './coarse-pointer.ts';
 import { copyLink, shareText } from './copy-link.ts';
 import type { Failures } from './failures.ts';
+import { createFilmOverlay } from './film-overlay.ts';
 import { Recorder } from './recorder.ts';
 import { download } from './screenshot.ts';
 import { words } from './words.ts';
@@ -18,7 +19,7 @@ export interface Picture {
 
 export interface SharingOptions {
   readonly title: string;
-  /** Receives the card with a finished clip. */
+  /** Receives the card with a finished clip, and holds what lies over the picture. */
   readonly root: HTMLElement;
   readonly banner: Banner;
   readonly failures: Failures;
@@ -43,12 +44,14 @@ export class Sharing implements ClipControl {
   #card: ClipCard | undefined;
 
   constructor(options: SharingOptions) {
-    const { title, banner, onChange } = options;
+    const { title, root, banner, onChange } = options;
+    const overlay = createFilmOverlay(root, title);
     this.#options = options;
-    this.#recorder = new Recorder(title, onChange);
+    this.#recorder = new Recorder(title, onChange, overlay);
     this.#clip = new Clip({
       title,
       onChange,
+      overlay,
       onReady: (file) => this.#offer(file),
       onFailure: (sentence) => banner.show(sentence, 'note'),
       ...(options.clipSeconds === undefined ? {} : { seconds: options.clipSeconds }),

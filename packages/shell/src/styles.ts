@@ -81,7 +81,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
   background: #161e3df7; color: var(--ink); box-shadow: 0 24px 80px #000a }
 .game-help::backdrop { background: #070b1a99 }
-.game-help > button { position: sticky; bottom: -12px; background: #2a3153; box-shadow: 0 0 0 10px #161e3d }
+/* The foot covers the lines that scroll behind it over the whole width. */
+.game-help footer { position: sticky; bottom: -22px; margin: 0 -26px -22px; padding: 12px 26px 16px; background: #161e3d } .game-help footer button { background: #2a3153 }
 .game-help h2 { margin: 0 0 12px; font-size: 17px; outline: none }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
@@ -104,7 +105,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-side .lil-gui { --row-height: 48px; --widget-height: 44px; --checkbox-size: 28px }
   .game-plot-buttons button, .game-tools button, .game-banner button, .game-help button, .game-outcome button, .game-clip button { min-height: 44px; min-width: 44px }
   .game-card select, .game-card input { min-height: 44px } }
-.game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; min-width: 240px; padding: 24px 32px 26px;
+.game-outcome { position: absolute; left: 50%; top: 50%; translate: -50% -50%; box-sizing: border-box; width: max-content; min-width: 240px; max-width: min(560px, calc(100% - 24px));
+  max-height: calc(100% - 16px); overflow: hidden auto; padding: 24px 32px 26px;
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
   z-index: 2 }
 .game-outcome h2 { margin: 0 0 6px; font-size: 26px; letter-spacing: -0.01em }
@@ -117,6 +119,10 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
 .game-outcome button.second { background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
+/* On a window on its side the scores stand beside what was reached. */
+@media (max-height: 479px) { .game-outcome { display: grid; grid-template-columns: auto auto auto auto; align-items: center; justify-content: center; padding: 14px 22px; max-width: calc(100% - 24px) }
+  .game-outcome > :is(h2, div) { grid-column: 1 / 4; max-width: 420px; justify-self: center } .game-outcome > ol { grid-area: 1 / 4 / 3; margin: 0 0 0 24px }
+  .game-outcome > ol:empty { display: none } .game-outcome > button { margin: 12px 4px 0 } }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: calc(max(14px, env(safe-area-inset-bottom)) + var(--foot, 0px)); margin: 0; pointer-events: none;
   text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
@@ -159,7 +165,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
-  .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(0, 27%) 1fr } }
+  .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(min-content, 27%) 1fr }
+  .game-help footer { bottom: -18px; margin: 0 -18px -18px; padding: 10px 18px 14px } }
 .game[data-reduced-motion] * { transition: none !important; animation: none !important }
 `;
 

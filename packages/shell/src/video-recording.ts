@@ -1,3 +1,4 @@
+import type { FilmOverlay } from './film-overlay.ts';
 import { canvasLike, drawOverBackground } from './screenshot.ts';
 import { words } from './words.ts';
 
@@ -23,6 +24,8 @@ export interface VideoOptions {
   readonly onStart?: () => void;
   /** Default none: a silent video. */
   readonly sound?: MediaStreamTrack;
+  /** Paints what lies over the picture. Default nothing. */
+  readonly overlay?: FilmOverlay;
 }
 
 /** Formats, the one that most programs play first, each without and with sound. */
@@ -55,11 +58,12 @@ export function startVideo(
     maxRate = 1000,
     onStart,
     sound,
+    overlay,
   }: VideoOptions = {},
 ): VideoRecording {
   const copy = canvasLike(source, maxSide);
   const format = formatOf(copy, sound !== undefined);
-  drawOverBackground(source, copy);
+  drawOverBackground(source, copy, overlay);
   const stream = copy.captureStream();
   if (sound !== undefined) stream.addTrack(sound);
   const recorder = new MediaRecorder(stream, { mimeType: format, videoBitsPerSecond: bitsPerSecond });
@@ -105,7 +109,7 @@ export function startVideo(
       // Displays are not exact: a frame that is due within a fifth of the interval counts.
       if (isComplete || now - last < 800 / maxRate) return;
       last = now;
-      drawOverBackground(from, copy);
+      drawOverBackground(from, copy, overlay);
     },
     stop,
     discard() {
