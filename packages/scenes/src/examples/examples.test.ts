@@ -11,7 +11,8 @@ import { EXAMPLES } from './examples.gen.ts';
 import { now, type Picture } from './picture.ts';
 
 /** Names that the address of the laboratory uses for itself. */
-const RESERVED = /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|search|code)$/;
+const RESERVED =
+  /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|plot|folded|errors|search|code)$/;
 
 /** Steps that every example takes at least. */
 const STEPS = 600;
