@@ -104,7 +104,7 @@ export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   build(values: ValuesOf<Name>, options: BuildOptions): Run;
   picture(run: Run, values: ValuesOf<Name>): Picture;
   /** By name; the names `up`, `down`, `left`, `right` and `action` give their place on the touch pad. */
-  readonly actions?: Readonly<Record<string, ExampleAction<Run>>>;
+  readonly actions?: Readonly<Record<string, ExampleAction<NoInfer<Run>>>>;
   readonly plots: readonly Plot<Run, ValuesOf<Name>>[];
   readonly histograms?: readonly Histogram<Run, ValuesOf<Name>>[];
   readonly checks: readonly Check<Run, ValuesOf<Name>>[];

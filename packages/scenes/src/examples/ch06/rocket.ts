@@ -13,6 +13,7 @@ import {
 import { teleport } from '../../teleport.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
+import { held } from '../support/held.ts';
 import { distanceBetween, positionOf, speedOf, velocityOf } from '../support/read.ts';
 
 const PLANET = { x: 400, y: 400 };
@@ -56,6 +57,10 @@ function control(world: PhysicsWorld, rocket: number, state: ThrusterState): voi
       Object.assign(state, { hasLanded: true, x, y });
     if (state.hasLanded) teleport(world, rocket, state);
   });
+}
+
+function push({ state }: { readonly state: ThrusterState }, side: number): void {
+  state.side = side;
 }
 
 export default defineExample({
@@ -131,20 +136,8 @@ export default defineExample({
     };
   },
   actions: {
-    left: {
-      label: '←',
-      about: 'push to the left',
-      key: 'arrowleft',
-      press: ({ state }) => void Object.assign(state, { side: -1 }),
-      release: ({ state }) => void Object.assign(state, { side: 0 }),
-    },
-    right: {
-      label: '→',
-      about: 'push to the right',
-      key: 'arrowright',
-      press: ({ state }) => void Object.assign(state, { side: 1 }),
-      release: ({ state }) => void Object.assign(state, { side: 0 }),
-    },
+    left: held('←', 'arrowleft', 'push to the left', push, -1),
+    right: held('→', 'arrowright', 'push to the right', push),
   },
   plots: [
     {

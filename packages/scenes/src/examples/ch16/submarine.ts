@@ -8,6 +8,7 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { held } from '../support/held.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 import {
   FILL_RATE,
@@ -79,34 +80,10 @@ export default defineExample({
   },
   picture: subPicture,
   actions: {
-    left: {
-      label: '◀',
-      about: 'full astern',
-      key: 'arrowleft',
-      press: (run) => drive(run, -push),
-      release: (run) => drive(run, 0),
-    },
-    right: {
-      label: '▶',
-      about: 'full ahead',
-      key: 'arrowright',
-      press: (run) => drive(run, push),
-      release: (run) => drive(run, 0),
-    },
-    down: {
-      label: '▼',
-      about: 'flood the tank',
-      key: 'arrowdown',
-      press: (run) => flood(run, FILL_RATE),
-      release: (run) => flood(run, 0),
-    },
-    up: {
-      label: '▲',
-      about: 'blow the tank out',
-      key: 'arrowup',
-      press: (run) => flood(run, -FILL_RATE),
-      release: (run) => flood(run, 0),
-    },
+    left: held('◀', 'arrowleft', 'full astern', drive, -push),
+    right: held('▶', 'arrowright', 'full ahead', drive, push),
+    down: held('▼', 'arrowdown', 'flood the tank', flood, FILL_RATE),
+    up: held('▲', 'arrowup', 'blow the tank out', flood, -FILL_RATE),
   },
   plots: [
     {
