@@ -1,7 +1,7 @@
 import { bodies, createRandom, keepState, spawn, velocityVerlet } from '@principia/physics';
 import { relaunchOutside, removeOutside, wrapAround } from '../../edges.ts';
 import { teleport } from '../../teleport.ts';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 import { GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
@@ -20,16 +20,8 @@ export default defineExample({
   duration: 30,
   parameters: {
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 360, min: 60, max: 900 },
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
-    edge: {
-      label: 'On the right it is',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 2,
-      integer: true,
-      choices: ['thrown anew', 'moved to the left', 'removed'],
-    },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.8, min: 0, max: 0.95 },
+    edge: choiceOf('On the right it is', ['thrown anew', 'moved to the left', 'removed']),
   },
   presets: [{ label: 'Removed', values: { edge: 2 } }],
   build({ gravity, restitution, edge }, { seed, integrator = velocityVerlet }) {
@@ -64,7 +56,6 @@ export default defineExample({
   checks: [
     {
       label: 'Most balls at any time',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 0 },
       at: { until: 30, take: 'largest' },
@@ -80,7 +71,6 @@ export default defineExample({
     },
     {
       label: 'Balls that are left after 30 s',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { time: 30 },

@@ -118,7 +118,6 @@ export default defineExample({
       exact: takeOffTime,
       tolerance: { relative: 0.01 },
       at: TAKE_OFF,
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Length of runway used',

@@ -1,5 +1,5 @@
 import { createPhysicsWorld, quadraticDrag, rgba, spawn, springs, uniformGravity } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
@@ -22,15 +22,7 @@ export default defineExample({
   parameters: {
     stiffness: { label: 'Stiffness k', unit: 'N/m', initial: 1, min: 0.5, max: 10 },
     drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.1, min: 0, max: 1 },
-    other: {
-      label: 'The second figure',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 1,
-      integer: true,
-      choices: ['bounces', 'swings'],
-    },
+    other: choiceOf('The second figure', ['bounces', 'swings']),
   },
   presets: [
     { label: 'No drag', values: { drag: 0 } },
@@ -103,7 +95,6 @@ export default defineExample({
       exact: 2 * Math.PI,
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, free, rest }) => positionOf(world, free).y - rest, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Period of a small swing, that of a pendulum of the length at rest, 2π √((L + mg/k)/g)',
@@ -112,7 +103,6 @@ export default defineExample({
       // The spring gives way, and turns by up to θ = 4/220: both shift the period by the order of θ², 3.3e-4.
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, free }) => positionOf(world, free).x - OTHER.x, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
       preset: 'A small swing',
     },
     {

@@ -26,7 +26,7 @@ export default defineExample({
     'Steer the ship past the black holes to the line at the top. Each hole is so heavy that light, which has 200 px/s here, just cannot escape from its rim; the ship is far slower. Let go of the keys and it falls, and keeps its energy, until it is swallowed or leaves. The whole game has rounds, lives and fuel.',
   duration: 20,
   parameters: {
-    count: { label: 'Black holes', unit: '', initial: 3, min: 1, max: 12, integer: true },
+    count: { label: 'Black holes', initial: 3, min: 1, max: 12, integer: true },
     push: { label: 'Push of an engine', unit: 'px/s²', initial: BLACK_HOLE.thrust, min: 1, max: 40 },
     start: { label: 'Speed upwards at the start', unit: 'px/s', initial: 60, min: 0, max: 150 },
   },
@@ -120,7 +120,6 @@ export default defineExample({
     },
     {
       label: 'Largest error of the energy of the first flight, outside two radii',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { time: 10 },

@@ -32,7 +32,7 @@ export default defineExample({
     'A hull with round ends, a tower, six portholes, and the ballast tank that makes it dive: the water in it stands as high as it is full. Fill and empty it with F and E, or the buttons. The outline is a body, cut into convex pieces.',
   duration: 5,
   parameters: {
-    fill: { label: 'Fraction of the tank that is full', unit: '', initial: 0.5, min: 0, max: 1 },
+    fill: { label: 'Fraction of the tank that is full', initial: 0.5, min: 0, max: 1 },
     spin: { label: 'Angular velocity', unit: 'rad/s', initial: 0, min: -1, max: 1 },
   },
   actions: {

@@ -46,7 +46,7 @@ export default defineExample({
     'Water in the ballast tank makes the submarine heavier. Half full it weighs as much as the water whose place it takes, and hovers; with less it floats, with more it sinks, until drag balances what is left of its weight. The propeller pushes it to 20 px/s. Hold ↓ to flood the tank, ↑ to blow it out, ← and → to drive.',
   duration: 60,
   parameters: {
-    fill: { label: 'Water in the tank', unit: '', initial: 0.4, min: 0, max: 1 },
+    fill: { label: 'Water in the tank', initial: 0.4, min: 0, max: 1 },
     engine: { label: 'Engine at the start', unit: 'N', initial: 0, min: 0, max: push },
   },
   presets: [
@@ -112,7 +112,6 @@ export default defineExample({
       exact: 14.6,
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Full tank: speed of the dive after 10 s',
@@ -156,7 +155,6 @@ export default defineExample({
     },
     {
       label: 'Water in the tank for neutral weight',
-      unit: '',
       exact: 0.5,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },
