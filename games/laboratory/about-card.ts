@@ -1,10 +1,13 @@
 import type { Example, ExampleRun } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
-import { element, type GameCard, withLanguage } from '@principia/shell';
+import { copyLink, element, type GameCard, withLanguage } from '@principia/shell';
 import { keyName } from './key-name.ts';
 import { momentAddress } from './moment.ts';
 import { actOn, presentRun } from './on-display.ts';
 import { WORDS } from './words.ts';
+
+/** Time that a sentence stays, ms. */
+const SAID_MS = 5000;
 
 /** What the example is about, what to try, and the ways to its neighbours; it stands above the settings. */
 export function createAboutCard(parent: HTMLElement, example: Example): GameCard<ExampleRun> {
@@ -31,7 +34,7 @@ export function createAboutCard(parent: HTMLElement, example: Example): GameCard
   const title = element('b', '', { lang: 'en' }, example.title);
   const heading = element('h2', '', {}, `${WORDS.chapter(example.chapter)} · `, title);
   const card = element('section', 'game-card lab-about', { 'aria-label': WORDS.about }, heading, about);
-  card.append(element('h2', '', {}, WORDS.tryThis), tries, ...actionsOf(example), buttonsOf(example), neighbours);
+  card.append(element('h2', '', {}, WORDS.tryThis), tries, ...actionsOf(example), ...buttonsOf(example), neighbours);
   parent.prepend(card);
   return { show() {} };
 }
@@ -62,7 +65,7 @@ function actionsOf({ actions }: Example): HTMLElement[] {
 }
 
 /** Presets, and the address of the present moment. */
-function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
+function buttonsOf({ id, presets, parameters }: Example): HTMLElement[] {
   const row = element('div', 'lab-presets');
   for (const { label, values } of presets) {
     const query = new URLSearchParams({ example: id });
@@ -71,15 +74,13 @@ function buttonsOf({ id, presets, parameters }: Example): HTMLElement {
   }
   if (parameters.count?.integer) row.append(doubleButton(parameters.count.max));
   const copy = element('button', '', { type: 'button', title: WORDS.copyMoment }, WORDS.copyLink);
+  const said = element('p', 'lab-said', { role: 'status' });
   copy.addEventListener('click', async () => {
-    await navigator.clipboard.writeText(momentAddress());
-    copy.textContent = WORDS.copied;
-    setTimeout(() => {
-      copy.textContent = WORDS.copyLink;
-    }, 2000);
+    said.textContent = await copyLink(momentAddress(), WORDS.thisMoment);
+    setTimeout(() => said.replaceChildren(), SAID_MS);
   });
   row.append(copy);
-  return row;
+  return [row, said];
 }
 
 /** Doubles the number of bodies, until the machine or the example has enough. */

@@ -4,11 +4,19 @@ import { plainNumber } from './number-text.ts';
 
 /** CSS pixels. */
 export const CHART_HEIGHT = 150;
+/** Width of a letter of the numbers, CSS pixels. */
+const LETTER = 6.4;
 
 /** Gives a chart the width of its card. */
 export function fitChart(chart: uPlot, card: HTMLElement): void {
   const width = Math.max(120, card.clientWidth - 24);
   if (width !== chart.width) chart.setSize({ width, height: CHART_HEIGHT });
+}
+
+/** Width of the numbers beside a vertical axis, CSS pixels. */
+function widthOf(_: uPlot, values: readonly string[] | null): number {
+  const letters = Math.max(0, ...(values ?? []).map(({ length }) => length));
+  return Math.max(46, 10 + LETTER * letters);
 }
 
 /** Axes with names, numbers and a grid. */
@@ -24,7 +32,7 @@ export function baseOptions(xLabel: string, yLabel: string) {
     legend: { show: false },
     axes: [
       { ...axis, size: 22, values, space: 50, label: xLabel },
-      { ...axis, size: 46, values, space: 24, label: yLabel },
+      { ...axis, size: widthOf, values, space: 24, label: yLabel },
     ],
   };
 }

@@ -1,10 +1,12 @@
 import { csvOf, drawDot, drawPath, drawTimeMark, element, rangeAbout, saveText } from '@principia/shell';
 import uPlot from 'uplot';
+import { createChartCard, lineNames } from './chart-card.ts';
 import { type ChartLine, chartLines } from './chart-lines.ts';
 import { baseOptions, fitChart } from './chart-options.ts';
 import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
 import { Samples } from './samples.ts';
+import { SHOWN_PLOTS } from './shown-plots.ts';
 import { WORDS } from './words.ts';
 
 /** Samples in the duration of an example. */
@@ -22,12 +24,16 @@ export interface ChartOptions {
 export class Chart {
   readonly #run: LabRun;
   readonly #lines: readonly ChartLine[];
+  readonly #number: number;
+  readonly #duration: number;
   readonly #xLabel: string;
+  readonly #yLabel: string;
   readonly #isPath: boolean;
   readonly #samples: Samples;
   readonly #card: HTMLElement;
   readonly #readout = element('output', 'lab-readout');
-  readonly #chart: uPlot;
+  readonly #names = element('span', '');
+  #chart: uPlot;
   #isStale = true;
   /** The marked time, s; not a number while no moment of the past is shown. */
   #mark = Number.NaN;
@@ -36,22 +42,55 @@ export class Chart {
   constructor(parent: HTMLElement, run: LabRun, index: number, { duration, file }: ChartOptions) {
     const { title, x, y } = run.plots[index];
     this.#run = run;
+    this.#number = index + 1;
+    this.#duration = duration;
+    this.#yLabel = y.label;
     this.#xLabel = x.label;
     this.#lines = chartLines(run, index);
     // Against another quantity than the time, a line may run to and fro, and each has an x of its own.
     this.#isPath = x.label !== 't, s';
     this.#samples = new Samples((this.#isPath ? 2 : 1) * this.#lines.length, duration / SAMPLES);
-    const names = element('span', '');
-    names.append(
-      ...this.#lines.map(({ label, color, lang }) => element('i', '', { style: `--mark: ${color}`, ...lang }, label)),
-    );
-    const save = element('button', 'lab-save', { type: 'button', title: WORDS.save }, 'CSV');
-    save.addEventListener('click', () => saveText(`${file}.csv`, this.#csv(), 'text/csv'));
-    const heading = element('h2', '', {}, element('b', '', { lang: 'en' }, title), this.#readout, save, names);
-    this.#card = element('section', 'game-card lab-plot', { 'aria-label': title }, heading);
-    parent.append(this.#card);
-    const options = this.#isPath ? this.#pathOptions(y.label) : this.#timeOptions(y.label, duration);
-    this.#chart = new uPlot(options, this.#data() as uPlot.AlignedData, this.#card);
+    const save = () => saveText(`${file}.csv`, this.#csv(), 'text/csv');
+    const more = [this.#readout, ...this.#errorButton()];
+    this.#card = createChartCard(parent, { title, number: this.#number, save, more, names: this.#names });
+    this.#chart = this.#makeChart();
+  }
+
+  /** Whether the errors are shown in place of the values. */
+  get #showsErrors(): boolean {
+    return SHOWN_PLOTS.errors.has(this.#number) && this.#hasErrors;
+  }
+
+  get #hasErrors(): boolean {
+    return !this.#isPath && this.#lines.some(({ exact }) => exact !== undefined);
+  }
+
+  /** The lines on display. */
+  get #shown(): readonly ChartLine[] {
+    return this.#showsErrors ? this.#lines.filter(({ exact }) => exact !== undefined) : this.#lines;
+  }
+
+  #makeChart(): uPlot {
+    this.#names.replaceChildren(...lineNames(this.#shown).children);
+    const options = this.#isPath ? this.#pathOptions(this.#yLabel) : this.#timeOptions();
+    return new uPlot(options, this.#data() as uPlot.AlignedData, this.#card);
+  }
+
+  /** Changes between the values and their errors, where the exact solution is known. */
+  #errorButton(): HTMLElement[] {
+    if (!this.#hasErrors) return [];
+    const button = element('button', 'lab-save', { type: 'button', title: WORDS.errorHint }, WORDS.error);
+    const show = () => button.setAttribute('aria-pressed', String(this.#showsErrors));
+    button.addEventListener('click', () => {
+      const { errors } = SHOWN_PLOTS;
+      if (!errors.delete(this.#number)) errors.add(this.#number);
+      show();
+      this.#chart.destroy();
+      this.#chart = this.#makeChart();
+      this.#isStale = true;
+    });
+    show();
+    return [button];
   }
 
   /** @param isPast the run stands at a recorded moment: samples are kept, and a line or a dot marks it */
@@ -69,7 +108,7 @@ export class Chart {
   }
 
   draw(): void {
-    if (!this.#isStale || this.#card.offsetParent === null) return;
+    if (!this.#isStale || this.#chart.root.offsetParent === null) return;
     this.#isStale = false;
     fitChart(this.#chart, this.#card);
     this.#chart.setData(this.#data() as uPlot.AlignedData);
@@ -83,7 +122,17 @@ export class Chart {
   /** uPlot takes one x for all lines, or, for paths, an x and a y for each. */
   #data(): unknown[] {
     const [times, ...values] = this.#samples.columns;
-    return this.#isPath ? [null, ...this.#lines.map((_, i) => [values[2 * i], values[2 * i + 1]])] : [times, ...values];
+    if (this.#isPath) return [null, ...this.#lines.map((_, i) => [values[2 * i], values[2 * i + 1]])];
+    return [times, ...this.#shown.map((line) => this.#columnOf(line))];
+  }
+
+  /** The values of a line over time, or their errors. */
+  #columnOf(line: ChartLine): readonly number[] {
+    const [, ...values] = this.#samples.columns;
+    const column = values[this.#lines.indexOf(line)];
+    if (!this.#showsErrors || line.exact === undefined) return column;
+    const exact = values[line.exact];
+    return column.map((value, i) => value - exact[i]);
   }
 
   #csv(): string {
@@ -91,15 +140,16 @@ export class Chart {
     return csvOf(['t, s', ...names], this.#samples.columns);
   }
 
-  #timeOptions(yLabel: string, duration: number): uPlot.Options {
+  #timeOptions(): uPlot.Options {
+    const yLabel = this.#showsErrors ? `${WORDS.error}: ${this.#yLabel}` : this.#yLabel;
     return {
       ...baseOptions(this.#xLabel, yLabel),
       cursor: { y: false, points: { size: 6 }, drag: { x: false, y: false } },
       scales: {
-        x: { time: false, range: (_, __, high) => [0, Math.max(duration, high)] },
+        x: { time: false, range: (_, __, high) => [0, Math.max(this.#duration, high)] },
         y: { range: (_, low, high) => rangeAbout(low, high) },
       },
-      series: [{}, ...this.#lines.map(({ label, color, width, dash }) => lineOf(label, color, width, dash))],
+      series: [{}, ...this.#shown.map(({ label, color, width, dash }) => lineOf(label, color, width, dash))],
       hooks: {
         setCursor: [(chart) => this.#readAt(chart.cursor.idx)],
         draw: [(chart) => drawTimeMark(chart, this.#mark)],
@@ -146,10 +196,10 @@ export class Chart {
 
   /** Shows the values under the cursor beside the title. */
   #readAt(index: number | null | undefined): void {
-    const [times, ...values] = this.#samples.columns;
+    const [times] = this.#samples.columns;
     const isInside = index !== null && index !== undefined && index < times.length;
     this.#readout.textContent = isInside
-      ? `${plainNumber(times[index])} s: ${values.map((column) => plainNumber(column[index])).join(WORDS.separator)}`
+      ? `${plainNumber(times[index])} s: ${this.#shown.map((line) => plainNumber(this.#columnOf(line)[index])).join(WORDS.separator)}`
       : '';
   }
 }

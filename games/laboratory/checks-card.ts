@@ -9,7 +9,7 @@ const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': 
 
 /** The figures that prove the example right, as they are measured in the run on display. */
 export function createChecksCard(parent: HTMLElement, { checks }: Example): GameCard<ExampleRun> {
-  const rows = checks.map(({ label, unit, tolerance, integrator, preset }) => {
+  const rows = checks.map(({ label, unit = '', tolerance, integrator, preset }) => {
     const mark = element('b', '', { 'aria-hidden': 'true' });
     const text = element('p', '');
     const about = integrator === undefined ? label : `${label} (${integratorName(integrator.name)})`;

@@ -1,6 +1,6 @@
 /** The source of an example beside its picture: to read, to change and to run. */
 
-import { element } from '@principia/shell';
+import { copyLink, element } from '@principia/shell';
 import { announceCover } from './covers.ts';
 import { NEW, NEW_SOURCE } from './new-example.ts';
 import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
@@ -54,8 +54,7 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
     location.reload();
   });
   add(WORDS.copyLink, words.copyHint, async () => {
-    await navigator.clipboard.writeText(await linkWith(text.value));
-    report(words.copied);
+    report(await copyLink(await linkWith(text.value), words.thisVersion));
   });
   text.addEventListener('keydown', (event) => {
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) void run(id, text.value, report);

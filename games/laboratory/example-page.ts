@@ -12,22 +12,19 @@ import {
   type Value,
   withLanguage,
 } from '@principia/shell';
-import { createAboutCard } from './about-card.ts';
-import { createChecksCard } from './checks-card.ts';
 import type { CodePanel } from './code-panel.ts';
 import { chosenIntegrator, parameterValues, SHOWN_SETTINGS, settingsOf } from './example-settings.ts';
 import type { Ghosts } from './ghosts.ts';
 import { keyName } from './key-name.ts';
 import type { LabRun } from './lab-run.ts';
 import { makeGhosts } from './make-ghosts.ts';
-import { goTo, takeMoment } from './moment.ts';
+import { goTo, momentAddress, takeMoment } from './moment.ts';
 import { actOn, presenting } from './on-display.ts';
 import { linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
-import { createPlotsCard } from './plots-card.ts';
+import { takeShownPlots } from './shown-plots.ts';
 import { addLaboratoryStyles } from './styles.ts';
 import { WORDS } from './words.ts';
-import { createWordsCard } from './words-card.ts';
 
 /** Lengths of the view's diagonal that a thrown body crosses in a second at most. */
 const THROW_SPEED = 2;
@@ -41,14 +38,17 @@ const rewindSeconds = ({ duration, ends }: Example) =>
 /** @param query of the address, with the name of the example */
 export async function openExample(entry: ExampleEntry, query: URLSearchParams): Promise<void> {
   addLaboratoryStyles();
-  const linked = await linkedCode(location.hash);
+  const carried = await linkedCode(location.hash);
+  // An empty version says nothing.
+  const linked = carried || undefined;
   const { example, problem } = await chosenVersion(entry);
   document.title = WORDS.pageTitle(example.title);
   const probe = example.start();
   const settings: Settings = settingsOf(example, probe);
   const rest = new URLSearchParams(query);
   rest.delete('example');
-  const moment = takeMoment(rest);
+  const moment = takeMoment(rest, example.dimensions);
+  const problems = [...moment.problems, ...takeShownPlots(rest, probe.plots.length + probe.histograms.length)];
   if (linked !== undefined || problem !== '') rest.set('code', 'on');
   const code = codeSwitch(example.id, linked);
   await startGame<Settings, LabRun>(
@@ -60,14 +60,8 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       rewindSeconds: () => rewindSeconds(example),
       settings,
       ...simulationOf(example, probe, settings, code),
-      cards: (parent) => [
-        createAboutCard(parent, example),
-        createChecksCard(parent, example),
-        createWordsCard(parent),
-        // Before the plots, which record them.
-        { record: (run) => run.ghosts.follow(run.world.tick), show() {} },
-        ...createPlotsCard(parent, example),
-      ],
+      cards: async (parent) => (await import('./side-cards.ts')).createSideCards(parent, example),
+      link: momentAddress,
       report: (run) => ({ checks: run.checkStates() }),
       renderers: rendererOf(example),
       ...controlsOf(example),
@@ -77,7 +71,11 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       ],
     },
     rest.toString(),
-    problem === '' ? moment.problems : [...moment.problems, WORDS.code.fails(problem)],
+    [
+      ...problems,
+      ...(carried === '' ? [WORDS.code.unreadable] : []),
+      ...(problem === '' ? [] : [WORDS.code.fails(problem)]),
+    ],
   );
   addListLink();
   document.querySelector('.game-title')?.setAttribute('lang', 'en');

@@ -46,7 +46,7 @@ function isComparable({ integrator }: PhysicsWorld): boolean {
 }
 
 function settingOf(parameter: ExampleParameter): Setting {
-  const { label, unit, initial, min, max, integer = false, scale, about, choices } = parameter;
+  const { label, unit = '', initial, min, max, integer = false, scale, about, choices } = parameter;
   const more = { lang: 'en', ...(about === undefined ? {} : { about }), ...(scale === undefined ? {} : { scale }) };
   if (choices === undefined) return { kind: 'number', label, unit, initial, min, max, integer, ...more };
   const named = Object.fromEntries(choices.map((word) => [word, word]));

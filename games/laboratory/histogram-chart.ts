@@ -1,6 +1,7 @@
 import type { LiveHistogram } from '@principia/scenes/examples';
-import { csvOf, element, saveText } from '@principia/shell';
+import { csvOf, saveText } from '@principia/shell';
 import uPlot from 'uplot';
+import { createChartCard, lineNames } from './chart-card.ts';
 import { baseOptions, fitChart } from './chart-options.ts';
 import { WORDS } from './words.ts';
 
@@ -17,25 +18,22 @@ export class HistogramChart {
   readonly #chart: uPlot;
   #drawnAt = 0;
 
-  /** @param file name of the file of its numbers, without the ending */
-  constructor(parent: HTMLElement, histogram: LiveHistogram, file: string) {
+  /** @param number of the plot @param file name of the file of its numbers, without the ending */
+  constructor(parent: HTMLElement, histogram: LiveHistogram, number: number, file: string) {
     const { title, x, exact } = histogram;
     this.#histogram = histogram;
     const count = histogram.densities().length;
     const width = (x.max - x.min) / count;
     this.#middles = Array.from({ length: count }, (_, i) => x.min + (i + 0.5) * width);
-    const save = element('button', 'lab-save', { type: 'button', title: WORDS.save }, 'CSV');
-    save.addEventListener('click', () => saveText(`${file}.csv`, this.#csv(), 'text/csv'));
-    const names = element('span', '', {}, element('i', '', { style: `--mark: ${BARS.stroke}` }, WORDS.counted));
-    if (exact !== undefined) names.append(element('i', '', { style: `--mark: ${EXACT.stroke}` }, WORDS.exact));
-    const heading = element('h2', '', {}, element('b', '', { lang: 'en' }, title), save, names);
-    this.#card = element('section', 'game-card lab-plot', { 'aria-label': title }, heading);
-    parent.append(this.#card);
+    const counted = { label: WORDS.counted, color: BARS.stroke };
+    const lines = exact === undefined ? [counted] : [counted, { label: WORDS.exact, color: EXACT.stroke }];
+    const save = () => saveText(`${file}.csv`, this.#csv(), 'text/csv');
+    this.#card = createChartCard(parent, { title, number, save, names: lineNames(lines) });
     this.#chart = new uPlot(this.#options(), this.#data(), this.#card);
   }
 
   draw(): void {
-    if (this.#card.offsetParent === null || performance.now() - this.#drawnAt < INTERVAL) return;
+    if (this.#chart.root.offsetParent === null || performance.now() - this.#drawnAt < INTERVAL) return;
     this.#drawnAt = performance.now();
     fitChart(this.#chart, this.#card);
     this.#chart.setData(this.#data());

@@ -1,5 +1,7 @@
-/** Addresses of a moment: the step that the run has reached, and the camera. */
+/** Addresses of a moment: the step that the run has reached, the camera, and the plots. */
+import { FIRST_PLOT } from '@principia/shell';
 import { presentView } from './on-display.ts';
+import { writeShownPlots } from './shown-plots.ts';
 import { WORDS } from './words.ts';
 
 /** Steps taken at once, so that the page stays alive, and in all. */
@@ -14,8 +16,13 @@ export interface Moment {
   readonly problems: readonly string[];
 }
 
+/** Numbers of a camera: centre and height of the window, or the places of the camera and of what it looks at. */
+const CAMERA_NUMBERS = { 2: 3, 3: 6 } as const;
+/** Largest of these numbers, m. */
+const FARTHEST = 1e15;
+
 /** Takes the moment out of a query. */
-export function takeMoment(query: URLSearchParams): Moment {
+export function takeMoment(query: URLSearchParams, dimensions: 2 | 3): Moment {
   const [stepText, cameraText] = [query.get('step'), query.get('camera')];
   for (const name of ['step', 'camera']) query.delete(name);
   const problems: string[] = [];
@@ -25,9 +32,15 @@ export function takeMoment(query: URLSearchParams): Moment {
     step = 0;
   }
   const camera = cameraText?.split(',').map(Number);
-  const isCamera = camera === undefined || (camera.length >= 3 && camera.every(Number.isFinite));
-  if (!isCamera) problems.push(WORDS.address.camera(cameraText ?? ''));
-  return { step, camera: isCamera ? camera : undefined, problems };
+  const isRight = camera === undefined || isCamera(camera, dimensions);
+  if (!isRight) problems.push(WORDS.address.camera(CAMERA_NUMBERS[dimensions], cameraText ?? ''));
+  return { step, camera: isRight ? camera : undefined, problems };
+}
+
+function isCamera(numbers: readonly number[], dimensions: 2 | 3): boolean {
+  const isNear =
+    numbers.length === CAMERA_NUMBERS[dimensions] && numbers.every((number) => Math.abs(number) < FARTHEST);
+  return isNear && (dimensions === 3 || numbers[2] > 0);
 }
 
 /** Goes to a moment of the run on display, and stops there. */
@@ -44,7 +57,11 @@ export async function goTo({ step, camera }: Moment): Promise<void> {
 /** The address of what is on display now. */
 export function momentAddress(): string {
   const address = new URL(location.href);
-  address.searchParams.set('step', String(__game.state().tick));
+  const { tick, plot = FIRST_PLOT } = __game.state();
+  address.searchParams.set('step', String(tick));
+  if (plot === FIRST_PLOT) address.searchParams.delete('plot');
+  else address.searchParams.set('plot', plot);
+  writeShownPlots(address.searchParams);
   const camera = presentView()?.camera?.();
   if (camera !== undefined)
     address.searchParams.set('camera', camera.map((value) => Number(value.toPrecision(6))).join());

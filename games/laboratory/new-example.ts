@@ -22,7 +22,7 @@ export default defineExample({
   duration: 30,
   parameters: {
     gravity: { label: 'Gravity', unit: 'm/s²', initial: 9.81, min: 1, max: 25 },
-    bounce: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 1 },
+    bounce: { label: 'Speed kept in a bounce', initial: 0.8, min: 0, max: 1 },
   },
   build({ gravity, bounce }, options) {
     const { minX, maxX, minY, maxY } = ROOM;

@@ -25,14 +25,17 @@ export async function linkWith(source: string): Promise<string> {
   return address.href;
 }
 
-/** The version that the address carries; it must not run before the reader has agreed. */
+/**
+ * The version that the address carries; it must not run before the reader has agreed.
+ * @returns empty if what the address carries cannot be read
+ */
 export async function linkedCode(hash: string): Promise<string | undefined> {
   const text = new URLSearchParams(hash.replace(/^#/, '')).get('code');
   if (text === null) return undefined;
   try {
     return await unpacked(text);
   } catch {
-    return undefined;
+    return '';
   }
 }
 

@@ -18,5 +18,5 @@ export function writeAddress(
     ...(seed === 1 ? {} : { seed: String(seed) }),
   });
   for (const [name, value] of query) own.set(name, value);
-  history.replaceState(null, '', `?${own}`);
+  history.replaceState(null, '', `?${own}`.replaceAll('%2C', ','));
 }

@@ -15,7 +15,7 @@ export function createPlotsCard(parent: HTMLElement, { id, duration }: Example):
     for (const chart of [...state.charts, ...state.histograms]) chart.destroy();
     state.charts = run.plots.map((_, i) => new Chart(section, run, i, { duration, file: `${id}-${i + 1}` }));
     state.histograms = run.histograms.map(
-      (histogram, i) => new HistogramChart(section, histogram, `${id}-histogram-${i + 1}`),
+      (histogram, i) => new HistogramChart(section, histogram, run.plots.length + i + 1, `${id}-histogram-${i + 1}`),
     );
   };
   return [

@@ -37,11 +37,16 @@ const styles = `
 .lab-presets a, .lab-presets button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff10; color: var(--ink); font: inherit; font-size: 12px;
   line-height: 1; padding: 8px 10px; cursor: pointer; text-decoration: none } .lab-presets :focus-visible { outline: 2px solid var(--accent) }
 .lab-plot h2 span { flex-wrap: wrap; gap: 0 10px } .lab-plot h2 i { white-space: nowrap }
-.lab-plot h2 b { font-weight: 600; margin-right: auto } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
+.lab-fold { margin: 0 auto 0 0; padding: 0; border: 0; background: none; color: inherit; font: inherit; font-weight: 600; text-align: left; cursor: pointer }
+.lab-fold::before { content: '▾'; display: inline-block; width: 14px; color: var(--dim) } .lab-fold[aria-expanded=false]::before { content: '▸' }
+.lab-fold:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.lab-plot[data-folded] :is(h2 > :not(.lab-fold), .uplot) { display: none }
+.lab-save[aria-pressed=true] { background: var(--accent); color: #1c1503 }
+.lab-said { margin: -4px 0 8px; font-size: 12px; color: var(--dim) } .lab-said:empty { display: none } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
 .lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
   padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
 @media (pointer: coarse) { .lab-presets :is(a, button) { min-height: 44px; min-width: 44px; box-sizing: border-box; line-height: 26px }
-  .lab-neighbours a { line-height: 44px; min-width: 44px } .lab-save { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }
+  .lab-neighbours a { line-height: 44px; min-width: 44px } :is(.lab-save, .lab-fold) { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }
 .lab-plot .u-cursor-x { position: absolute; left: 0; top: 0; height: 100%; border-right: 1px dashed #ffffff66; pointer-events: none }
 .lab-plot .u-cursor-pt { position: absolute; top: 0; left: 0; border-radius: 50%; pointer-events: none; background-clip: padding-box !important }
 .lab-plot .u-over { touch-action: pan-y } .lab-plot .u-off, .lab-plot .u-select { display: none }

@@ -3,14 +3,12 @@ import {
   attractors,
   createPhysicsWorld,
   createRandom,
-  electricField,
   energy,
   type Force,
   fixedCharges,
   type Integrator,
   magneticField,
   momentum,
-  mutualCoulomb,
   type PhysicsWorld,
   powerLaw,
   rungeKutta4,
@@ -22,7 +20,10 @@ import {
 import { blackHole } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
 import centralForces from '../../packages/scenes/src/examples/ch10/central-forces.ts';
+import chargePair from '../../packages/scenes/src/examples/ch10/charge-pair.ts';
+import electricField from '../../packages/scenes/src/examples/ch10/electric-field.ts';
 import magneticLorentz from '../../packages/scenes/src/examples/ch10/magnetic-lorentz.ts';
+import multipleAttractors from '../../packages/scenes/src/examples/ch10/multiple-attractors.ts';
 import multipleOrbiters from '../../packages/scenes/src/examples/ch10/multiple-orbiters.ts';
 import { forceOn, read, run, single, started } from '../support/laws.ts';
 import { crossings, measureOrbit } from '../support/orbits.ts';
@@ -99,25 +100,21 @@ test('ch10-multiple-orbiters: periods and eccentricities of three planets, indep
 });
 
 test('ch10-multiple-attractors: energies between two suns, and the oscillation on their bisector', () => {
-  const launch = (position: object, velocity: object) => {
-    const world = createPhysicsWorld({ capacity: 5, forces: [attractors()], integrator: rungeKutta4 });
-    for (const x of [300, 500]) spawn(world, { position: { x, y: 300 }, attractor: 1e6 });
-    const eid = spawn(world, { position, velocity, mass: 1 });
-    return { world, ...read(world, eid) };
-  };
-  for (const [position, velocity, expected] of [
-    [{ x: 400, y: 300 }, { y: 60 }, -18200],
-    [{ x: 400, y: 400 }, { x: 10, y: 60 }, -12292.14],
-    [{ x: 300, y: 400 }, { x: 90 }, -10422.14],
-  ] as const) {
-    const { world } = launch(position, velocity);
-    const start = energy(world).total;
-    expect(start).toBeCloseTo(expected, 2);
-    run(world, 3, 1e-4);
+  const suns = [300, 500].map((x) => ({ x, y: 300, radius: 0, strength: -1e6 }));
+  const launch = () => started(multipleAttractors, {}, 3);
+  const flights = launch().world;
+  // The suns are the first two bodies.
+  const energies = () => [3, 4, 5].map((eid) => energyAmong(flights, eid, suns).total);
+  const starts = energies();
+  [-18200, -12292.14, -10422.14].forEach((expected, i) => {
+    expect(starts[i]).toBeCloseTo(expected, 2);
+  });
+  run(flights, 3, 1e-4);
+  energies().forEach((total, i) => {
     // Rounding of 3 × 10⁴ steps: 1.1e-16 √(3e4), some times over.
-    expect(Math.abs(energy(world).total / start - 1)).toBeLessThan(1e-13);
-  }
-  const { world, at } = launch({ x: 400, y: 300 }, { y: 60 });
+    expect(Math.abs(total / starts[i] - 1)).toBeLessThan(1e-13);
+  });
+  const { world, at } = launch();
   let furthest = 0;
   const times = crossings(
     world,
@@ -227,16 +224,14 @@ test('ch10-black-hole-game: every horizon needs 200 to escape, and a free fall k
 });
 
 describe('ch10-charge-pair', () => {
-  const pair = (q: number) => {
-    const forces = [mutualCoulomb({ k: 1e4 })];
-    const world = createPhysicsWorld({ capacity: 5, forces, integrator: rungeKutta4 });
-    const a = spawn(world, { position: {}, velocity: {}, mass: 1, charge: 1 });
-    const b = spawn(world, { position: { x: 100 }, velocity: {}, mass: 1, charge: q });
+  const pair = (opposite: number) => {
+    const { world } = started(chargePair, { values: { opposite } });
+    const [a, b] = [1, 2];
     return { world, gap: () => read(world, b).at().x - read(world, a).at().x, a, b };
   };
 
   test('ch10-charge-pair: like charges separate at a final speed of 20.0', () => {
-    const { world, a, b, gap } = pair(1);
+    const { world, a, b, gap } = pair(0);
     run(world, 2000, 0.02);
     const speed = read(world, b).going().x - read(world, a).going().x;
     // What is left of the potential would still speed them up.
@@ -247,7 +242,7 @@ describe('ch10-charge-pair', () => {
   }, 30_000);
 
   test('ch10-charge-pair: opposite charges meet after 7.854 s', () => {
-    const { world, gap } = pair(-1);
+    const { world, gap } = pair(1);
     while (gap() > 0.2) step(world, gap() > 20 ? 1e-3 : 1e-5);
     expect(Math.abs(world.time / 7.854 - 1)).toBeLessThan(0.005);
   }, 30_000);
@@ -287,11 +282,11 @@ describe('ch10-electric-charges', () => {
 });
 
 describe('ch10-electric-field', () => {
-  const charged = (field: Parameters<typeof electricField>[0]) =>
-    single([electricField(field)], { position: { x: 100, y: 300 }, charge: 1 }, { integrator: rungeKutta4 });
+  /** @param field number of the choice of the example */
+  const charged = (field: number) => started(electricField, { values: { field } });
 
   test('ch10-electric-field: (1, 2t cos t) ends at (412.5, 199.910)', () => {
-    const { world, at } = charged((t) => ({ x: 1, y: 2 * t * Math.cos(t) }));
+    const { world, at } = charged(0);
     run(world, 25);
     expect(at().x).toBeCloseTo(412.5, 6);
     expect(at().y).toBeCloseTo(199.91, 2);
@@ -303,7 +298,7 @@ describe('ch10-electric-field', () => {
       [2, 25],
       [3, 11.1],
     ]) {
-      const { world, at } = charged((t) => ({ y: 50 * Math.cos(omega * t) }));
+      const { world, at } = charged(omega);
       let high = 0;
       run(world, 25, 1 / 60, () => {
         high = Math.max(high, at().y - 300);
@@ -311,7 +306,7 @@ describe('ch10-electric-field', () => {
       });
       expect(high / swing).toBeCloseTo(1, swing === 11.1 ? 2 : 3);
     }
-    const { world, at } = charged((t) => ({ x: 20 * Math.sin(t), y: 20 * Math.cos(t) }));
+    const { world, at } = charged(6);
     run(world, 25);
     expect(at().x - 100).toBeCloseTo(20 * (25 - Math.sin(25)), 4);
     expect(at().y - 300).toBeCloseTo(20 * (1 - Math.cos(25)), 4);

@@ -1,4 +1,5 @@
 // The laboratory: its list, and every example on its page.
+import { readFileSync } from 'node:fs';
 import { COLORS } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
@@ -203,6 +204,51 @@ describe('the page of an example', () => {
     expect((await state(other)).hash).toBe(hash);
   });
 
+  it('brings back in a link which plots are open, and what the plot of the reader shows', async () => {
+    const page = await laboratory.open('example=ch08-damped&manual');
+    await steps(page, 30);
+    const charts = page.locator('.lab-plot');
+    await charts.nth(0).locator('button:text("Error")').click();
+    await charts.nth(1).locator('.lab-fold').click();
+    const own = page.locator('section[aria-label=Plot]');
+    await own.getByText('Phase portrait').click();
+    expect(await charts.nth(1).locator('.uplot').isVisible()).toBe(false);
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    const links = [];
+    // Beside the text of the example, and among the tools.
+    for (const button of await page.locator('button:text("Copy link")').all()) {
+      await button.click();
+      links.push(await page.evaluate(() => navigator.clipboard.readText()));
+    }
+    expect(links).toHaveLength(2);
+    expect(links[1]).toBe(links[0]);
+    expect(links[0]).toContain('plot=Velocity.x,Position.x,2&folded=2&errors=1');
+    const other = await laboratory.open(new URL(links[0]).search.slice(1));
+    await other.waitForFunction(() => __game.state().tick === 30);
+    expect(await state(other)).toMatchObject({ banner: '', plot: 'Velocity.x,Position.x,2' });
+    const same = other.locator('.lab-plot');
+    expect(await same.nth(0).locator('button:text("Error")').getAttribute('aria-pressed')).toBe('true');
+    expect(await same.nth(1).locator('.uplot').isVisible()).toBe(false);
+    // The lines are there as well: half a second of 20 s, of which a plot takes 400 samples.
+    const [saved] = await Promise.all([other.waitForEvent('download'), same.nth(0).locator('text=CSV').click()]);
+    expect(
+      readFileSync(await saved.path(), 'utf8')
+        .trim()
+        .split('\n').length,
+    ).toBeGreaterThanOrEqual(1 + 10);
+  });
+
+  it('copies a link where the browser lets no page copy: into the address bar', async () => {
+    const page = await laboratory.open('example=ch06-orbits&manual');
+    await page.evaluate(() => {
+      navigator.clipboard.writeText = () => Promise.reject(new Error('denied'));
+    });
+    await page.locator('button:text("Copy link")').first().click();
+    await page.waitForFunction(() => document.querySelector('.lab-said')?.textContent?.includes('in the address bar'));
+    expect(page.url()).toContain('step=0');
+    expect((await state(page)).banner).toBe('');
+  });
+
   it('goes to and fro on the bar of the recorded time, and forgets what came later when it plays on', async () => {
     const page = await laboratory.open('example=ch06-orbits&manual');
     await steps(page, 600);
@@ -260,8 +306,14 @@ describe('the page of an example', () => {
   });
 
   it('says what is wrong with an address, and goes on', async () => {
-    const page = await laboratory.open('example=ch05-floating-ball&gravity=999&step=x&manual');
+    const wrong = 'gravity=999&step=x&camera=0,0,-5&plot=Position.q&folded=9&errors=1,a';
+    const page = await laboratory.open(`example=ch05-floating-ball&${wrong}&manual#code=garbage`);
     const { banner, values } = await state(page);
+    expect(banner).toContain('camera must be 3 numbers');
+    expect(banner).toContain('plot must be off, or what is plotted');
+    expect(banner).toContain('folded must be numbers of plots');
+    expect(banner).toContain('errors must be numbers of plots');
+    expect(banner).toContain('The code that this link brings cannot be read');
     expect(banner).toContain('gravity must be a number from 1 to 100 px/s²');
     expect(banner).toContain('step must be a whole number');
     expect(values.gravity).toBe(50);

@@ -13,6 +13,7 @@ it('has the initial values when nothing is asked for', () => {
     values: { count: 5, trails: false },
     seed: 1,
     renderer: 'pixi',
+    plot: undefined,
     manual: false,
     problems: [],
   });
@@ -23,10 +24,11 @@ it('leaves the language and the preview to others', () => {
 });
 
 it('takes what it can take', () => {
-  expect(read('?seed=7&count=20&trails&renderer=three&manual')).toEqual({
+  expect(read('?seed=7&count=20&trails&renderer=three&plot=Momentum&manual')).toEqual({
     values: { count: 20, trails: true },
     seed: 7,
     renderer: 'three',
+    plot: 'Momentum',
     manual: true,
     problems: [],
   });
@@ -44,14 +46,14 @@ it('has a sentence for everything else, and keeps what there was', () => {
     'In the address, count must be a whole number from 1 to 100, but it was 0. Using 5 instead.',
     'In the address, seed must be a whole number from 0 to 4294967295, but it was “x”. Using 1 instead.',
     'In the address, renderer must be pixi or three, but it was “toString”. Using 2D instead.',
-    'The address names “toString”, which is not a setting of this game. The settings are count, trails, seed, renderer, manual.',
+    'The address names “toString”, which is not a setting of this game. The settings are count, trails, seed, renderer, plot, manual.',
     'In the address, trails must be on or off, but it was “maybe”. Using off instead.',
   ]);
 });
 
 it('writes what it reads', () => {
-  const wanted = { values: { count: 7, trails: true }, seed: 42, renderer: 'three' };
+  const wanted = { values: { count: 7, trails: true }, seed: 42, renderer: 'three', plot: 'Position.y,,1' };
   const link = writeAddress('https://example.org/game/?utm_source=x&count=3#part', settings, wanted);
-  expect(link).toBe('https://example.org/game/?seed=42&renderer=three&count=7&trails=true#part');
+  expect(link).toBe('https://example.org/game/?seed=42&renderer=three&count=7&trails=true&plot=Position.y%2C%2C1#part');
   expect(read(new URL(link).search)).toMatchObject(wanted);
 });

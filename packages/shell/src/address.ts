@@ -7,6 +7,8 @@ export interface Address<S extends Settings> {
   readonly seed: number;
   /** Name of one of the game's renderers. */
   readonly renderer: string;
+  /** What the reader's plot shows, if the address says so; read when there is a plot. */
+  readonly plot: string | undefined;
   /** Turns the clock off: only `__game.step(n)` advances the world. */
   readonly manual: boolean;
   /** One sentence for each part of the URL that was rejected. */
@@ -46,34 +48,40 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
   };
   let seed = SEED.initial;
   let renderer = renderers[0];
+  let plot: string | undefined;
   let manual = false;
   for (const [name, text] of new URLSearchParams(query)) {
     if (name === 'seed') seed = attempt(() => parseValue(name, SEED, text) as number, seed);
     else if (name === 'renderer') renderer = attempt(() => checkRenderer(text, renderers), renderer);
     else if (name === 'manual') manual = true;
+    else if (name === 'plot') plot = text;
     else if (name === 'lang' || name === 'preview')
       continue; // of `chooseWords` and `isPreview`
     else if (Object.hasOwn(settings, name)) {
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
     } else if (!TRACKING.test(name)) {
-      const known = [...Object.keys(settings), 'seed', 'renderer', 'manual'].join(', ');
+      const known = [...Object.keys(settings), 'seed', 'renderer', 'plot', 'manual'].join(', ');
       problems.push(words().address.unknown(name, known));
     }
   }
-  return { values: values as ValuesOf<S>, seed, renderer, manual, problems };
+  return { values: values as ValuesOf<S>, seed, renderer, plot, manual, problems };
 }
 
-/** The address that starts this game again: its settings where they differ from the defaults, renderer and seed. */
+/** The plot of a page whose address names none. */
+export const FIRST_PLOT = 'Energy';
+
+/** The address that starts this game again: its settings and its plot where they differ from the defaults, renderer and seed. */
 export function writeAddress<S extends Settings>(
   page: string,
   settings: S,
-  { values, seed, renderer }: Pick<Address<S>, 'values' | 'seed' | 'renderer'>,
+  { values, seed, renderer, plot = FIRST_PLOT }: Pick<Address<S>, 'values' | 'seed' | 'renderer' | 'plot'>,
 ): string {
   const url = new URL(page);
   const query = new URLSearchParams({ seed: String(seed), renderer });
   for (const [name, { initial }] of Object.entries(settings)) {
     if (values[name] !== initial) query.set(name, String(values[name]));
   }
+  if (plot !== FIRST_PLOT) query.set('plot', plot);
   url.search = query.toString();
   return url.href;
 }

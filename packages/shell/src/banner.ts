@@ -13,6 +13,8 @@ export interface Banner {
   readonly kind: BannerKind;
   /** @param action label and handler of an extra button; the close button always hides the banner */
   show(text: string, kind: BannerKind, action?: readonly [string, () => void]): void;
+  /** Shows a note below what is on display already. */
+  add(note: string): void;
   hide(): void;
 }
 
@@ -39,7 +41,11 @@ export function createBanner(parent: HTMLElement): Banner {
     else hide();
   };
   close.addEventListener('click', hide);
-  return {
+  const leaveLater = (message: string) => {
+    clearTimeout(timer);
+    timer = window.setTimeout(leave, NOTE_MS.least + NOTE_MS.perCharacter * message.length);
+  };
+  const banner: Banner = {
     get text() {
       return text.textContent ?? '';
     },
@@ -48,9 +54,7 @@ export function createBanner(parent: HTMLElement): Banner {
     },
     show(message, messageKind, action) {
       clearTimeout(timer);
-      if (messageKind === 'note') {
-        timer = window.setTimeout(leave, NOTE_MS.least + NOTE_MS.perCharacter * message.length);
-      }
+      if (messageKind === 'note') leaveLater(message);
       if (text.textContent === message) return;
       kind = messageKind;
       text.textContent = message;
@@ -63,6 +67,14 @@ export function createBanner(parent: HTMLElement): Banner {
       };
       box.hidden = false;
     },
+    add(note) {
+      if (box.hidden) banner.show(note, 'note');
+      else {
+        text.textContent += `\n${note}`;
+        if (kind === 'note') leaveLater(banner.text);
+      }
+    },
     hide,
   };
+  return banner;
 }

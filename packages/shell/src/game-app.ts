@@ -33,7 +33,7 @@ import { words } from './words.ts';
 export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #game: GameDefinition<S, Sim>;
   readonly #session: Session<S, Sim>;
-  readonly #manual: boolean;
+  readonly #address: Address<S>;
   readonly #layout: Layout;
   readonly #banner: Banner;
   readonly #failures: Failures;
@@ -70,7 +70,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#game = game;
     this.#renderer = address.renderer;
     this.#wanted = address.renderer;
-    this.#manual = address.manual;
+    this.#address = address;
     this.#session = new Session(game, address.values, address.seed);
     this.#session.paused = address.manual;
     this.#layout = createLayout(game.title, () => this.#views.view?.fit(), game.hasSheet);
@@ -120,7 +120,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   async start(): Promise<void> {
     this.#failures.listen();
     listenToKeys(this.#commands.pressed, this.#commands.released);
-    if (this.#preferences.reducedMotion && !this.#manual) {
+    if (this.#preferences.reducedMotion && !this.#address.manual) {
       this.#session.paused = true;
       this.#banner.show(words().motionPaused(resumeHint()), 'status');
     }
@@ -142,17 +142,18 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
 
   async #openSidebar(): Promise<void> {
     const { createSidebar } = await import('./sidebar.ts');
-    const session = this.#session;
-    this.#sidebar = createSidebar(this.#layout.sidebar, {
+    this.#sidebar = await createSidebar(this.#layout.sidebar, {
       settings: this.#game.settings,
-      values: session.values,
+      values: this.#session.values,
       actions: this.#actions,
       clip: this.#sharing,
       set: (name, value) => this.#failures.guard(() => this.#set(name, value)),
-      world: () => (session.started ? session.sim.world : undefined),
+      world: () => (this.#session.started ? this.#session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
       units: this.#game.units,
-      cards: (parent) => this.#game.cards?.(parent) ?? [],
+      plot: this.#address.plot,
+      report: (sentence) => this.#banner.add(sentence),
+      cards: this.#game.cards?.bind(this.#game),
     });
     this.#applyAppearance();
     this.#refresh();
@@ -167,7 +168,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#controls?.poll();
     if (this.#rewinding)
       this.#rewindBy(seconds * session.speed); // A closure here would allocate in every frame.
-    else if (!this.#broken && !this.#manual && !this.#views.isLost) session.advance(seconds);
+    else if (!this.#broken && !this.#address.manual && !this.#views.isLost) session.advance(seconds);
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.#sidebar?.record(session.sim, session.isPast);
@@ -211,10 +212,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#sidebar?.show(sim, countInto(this.#timing.copyTo(this.#stats), this.#game, sim));
   }
 
-  /**
-   * Opens the view of another renderer. Settings are kept; the world is recreated with the renderer's dimensions. A renderer
-   * whose code cannot be loaded leaves the one before on display.
-   */
+  /** Opens a renderer's view, with a new world of the same settings. If its code cannot be loaded, the one before stays. */
   async #show(name: string): Promise<void> {
     const renderer = this.#game.renderers[name];
     if (renderer === undefined) throw new Error(`There is no renderer “${name}”.`);
@@ -318,16 +316,16 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
       link: () => {
         const { values, seed } = this.#session;
-        return writeAddress(location.href, this.#game.settings, { values, seed, renderer: this.#renderer });
+        const shown = { values, seed, renderer: this.#renderer, plot: this.#sidebar?.plot.choice };
+        return this.#game.link?.() ?? writeAddress(location.href, this.#game.settings, shown);
       },
       onChange: () => this.#refresh(),
-      onClip: () => this.#session.paused && !this.#manual && this.#pause(false),
+      onClip: () => this.#session.paused && !this.#address.manual && this.#pause(false),
     });
   }
 
   #makeActions(): Actions {
     const session = this.#session;
-    const preferences = this.#preferences;
     return {
       pause: () => this.#pause(),
       step: () => {
@@ -341,7 +339,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       },
       replay: () => {
         this.#failures.guard(() => this.#replaceWorld(() => session.replay()));
-        if (!this.#manual) this.#pause(false);
+        if (!this.#address.manual) this.#pause(false);
         this.#views.view?.canvas.focus();
       },
       slow: () => {
@@ -367,8 +365,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       recordVideo: () => this.#sharing.toggleVideo(),
       shareClip: () => this.#sharing.toggle(),
       fullScreen: () => this.#failures.attempt(() => toggleFullScreen(this.#layout.root)),
-      reducedMotion: () => this.#change({ reducedMotion: !preferences.reducedMotion }),
-      safeColors: () => this.#change({ safeColors: !preferences.safeColors }),
+      reducedMotion: () => this.#change({ reducedMotion: !this.#preferences.reducedMotion }),
+      safeColors: () => this.#change({ safeColors: !this.#preferences.safeColors }),
       renderer: (name) => void this.#show(name),
       toggle: (name) => this.#toggle(name),
     };
@@ -381,10 +379,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       renderer: this.#renderer,
       reducedMotion: this.#preferences.reducedMotion,
       recording: this.#sharing.isRecording,
+      plot: this.#sidebar?.plot.choice,
       banner: this.#banner.text,
       timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
     });
-    return createHook(this.#session, page, (move) => this.#restorePast(move), {
+    const record = () => this.#sidebar?.record(this.#session.sim, false);
+    return createHook(this.#session, page, (move) => this.#restorePast(move), record, {
       reset: (seed) => this.#reset(seed),
       set: (name, value) => {
         this.#set(name, value);

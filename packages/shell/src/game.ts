@@ -133,8 +133,10 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   outcome?(sim: Sim): Outcome | undefined;
   /** Values such as lives and score, for tests: `__game.state().game`. */
   report?(sim: Sim): Readonly<Record<string, unknown>>;
-  /** Creates the game's own cards in the sidebar, below the settings; it is loaded after the first frame. */
-  cards?(parent: HTMLElement): readonly GameCard<Sim>[];
+  /** Creates the game's own cards in the sidebar, below the settings; it is called after the first frame. */
+  cards?(parent: HTMLElement): Promise<readonly GameCard<Sim>[]>;
+  /** Address of what is on display. Default: that of its settings, its seed, its renderer and its plot. */
+  link?(): string;
   /** Whether time stands still although the game is not paused: at the end of a run, or while the player holds it. */
   hasEnded?(sim: Sim): boolean;
   /** Shows a bar below the picture on which the player moves through what was recorded; default false. */

@@ -1,6 +1,7 @@
 import type { PhysicsWorld } from '@principia/physics';
 import uPlot from 'uplot';
 import { csvOf, saveText } from './csv.ts';
+import { NO_PLOT, readPlotChoice, writePlotChoice } from './plot-choice.ts';
 import { PlotControls } from './plot-controls.ts';
 import { pathOptions, plotData, timeOptions } from './plot-options.ts';
 import { inUnits, type OwnUnits, type PlotSource, pathChoice, phaseChoice } from './plot-sources.ts';
@@ -41,7 +42,7 @@ export class PlotCard {
     this.#controls = new PlotControls(
       parent,
       () => this.#show(),
-      (kind) => this.#choose(kind),
+      (kind) => this.#choosePath(kind),
       () => saveText('plot.csv', this.#csv(), 'text/csv'),
     );
     this.#show();
@@ -90,13 +91,30 @@ export class PlotCard {
     this.#show();
   }
 
+  /** What is shown, as the address names it. */
+  get choice(): string {
+    const { card, choice } = this.#controls;
+    return card.hidden ? NO_PLOT : writePlotChoice(choice);
+  }
+
+  /** Shows what the address names. @returns a sentence if it names no plot, which then stays as it is */
+  choose(text: string): string {
+    const isHidden = text === NO_PLOT;
+    const choice = isHidden ? this.#controls.choice : readPlotChoice(text, this.#world()?.dimensions ?? 2);
+    if (choice === undefined) return words().address.plot(text);
+    this.#controls.card.hidden = isHidden;
+    this.#controls.choice = choice;
+    this.#show();
+    return '';
+  }
+
   /** Shows the next plot; hides the card after the last one. */
   next(): void {
     this.#controls.next();
     this.#show();
   }
 
-  #choose(kind: 'path' | 'phase'): void {
+  #choosePath(kind: 'path' | 'phase'): void {
     const world = this.#world();
     if (world === undefined) return;
     this.#controls.choose((kind === 'path' ? pathChoice : phaseChoice)(world, this.#controls.body));

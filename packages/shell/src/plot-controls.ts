@@ -1,11 +1,13 @@
 /** The controls of the reader's plot: what is plotted, of which body, and against what. */
 import type { PhysicsWorld } from '@principia/physics';
 import { element } from './element.ts';
+import type { PlotChoice } from './plot-choice.ts';
 import { isCompound } from './plot-options.ts';
 import { columnsInUse, type PathChoice, type PlotSource, quantitySource, sourceOf, totalsOf } from './plot-sources.ts';
 import { words } from './words.ts';
 
-const PLOTS = ['Energy', 'Momentum', 'Angular momentum', 'Any value'] as const;
+const ANY = 'Any value';
+const PLOTS = ['Energy', 'Momentum', 'Angular momentum', ANY] as const;
 /** Value of the horizontal axis over time. */
 const TIME = '';
 
@@ -58,7 +60,7 @@ export class PlotControls {
   /** Name of what is plotted: a column, or a total in the language of the page. */
   get chosen(): string {
     const { value } = this.#choice;
-    return value === 'Any value' ? this.#column.value : words().plots[value as (typeof PLOTS)[number]];
+    return value === ANY ? this.#column.value : words().plots[value as (typeof PLOTS)[number]];
   }
 
   /** Shows the next plot; hides the card after the last one. */
@@ -70,9 +72,20 @@ export class PlotControls {
 
   /** Chooses one column against another. */
   choose({ y, x, body }: PathChoice): void {
-    this.#choice.value = 'Any value';
-    setValue(this.#column, y);
-    setValue(this.#against, x);
+    this.choice = { what: y, against: x, body };
+  }
+
+  /** What is chosen, by the names that the source has. */
+  get choice(): PlotChoice {
+    const { value } = this.#choice;
+    return { what: value === ANY ? this.#column.value : value, against: this.#against.value, body: this.body };
+  }
+
+  set choice({ what, against, body }: PlotChoice) {
+    const isColumn = what.includes('.');
+    this.#choice.value = isColumn ? ANY : what;
+    if (isColumn) setValue(this.#column, what);
+    setValue(this.#against, against);
     this.#body.value = String(body);
   }
 
@@ -84,7 +97,7 @@ export class PlotControls {
 
   /** Offers what the world has, and reads what is chosen: the lines, and the quantity along the horizontal axis. */
   read(world: PhysicsWorld | undefined): { source: PlotSource; against: PlotSource | undefined } {
-    const isColumn = this.#choice.value === 'Any value';
+    const isColumn = this.#choice.value === ANY;
     this.#which.hidden = !isColumn && !this.#against.value.includes('.');
     this.#column.hidden = !isColumn;
     const dimensions = world?.dimensions ?? 2;

@@ -77,7 +77,7 @@ export function totalsOf(dimensions: 2 | 3): string[] {
   return TOTALS.flatMap((plot) => sourceOf(plot, 0, dimensions).series.map((name) => `${plot}.${name}`));
 }
 
-const TOTALS = ['Energy', 'Momentum', 'Angular momentum'] as const;
+export const TOTALS = ['Energy', 'Momentum', 'Angular momentum'] as const;
 
 /**
  * One quantity: a component of a total such as `Energy.kinetic`, or a column such as `Position.x`, of all bodies the mean.

@@ -186,13 +186,14 @@ export class Session<S extends Settings, Sim extends Simulation> {
     return this.#sim === undefined || !this.game.apply(this.#sim, name, this.values);
   }
 
-  /** Takes `count` steps at once, even while paused. */
-  step(count = 1): void {
+  /** Takes `count` steps at once, even while paused. @param record called after each of them */
+  step(count = 1, record?: () => void): void {
     const { world, dt } = this.sim;
     const start = this.#clock();
     for (let i = 0; i < count; i++) {
       step(world, dt);
       this.#history?.record();
+      record?.();
     }
     this.#rewindTime = undefined;
     this.#measureStep(start, count);

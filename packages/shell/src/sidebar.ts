@@ -37,15 +37,23 @@ export interface SidebarOptions<Sim extends Simulation> {
   readonly canReplay: boolean;
   /** Units of a world that is not in SI. */
   readonly units: OwnUnits | undefined;
+  /** The plot that the address names, and what takes a sentence about it. */
+  readonly plot: string | undefined;
+  readonly report: (sentence: string) => void;
   /** Creates the game's own cards. */
-  readonly cards: (parent: HTMLElement) => readonly GameCard<Sim>[];
+  readonly cards: ((parent: HTMLElement) => Promise<readonly GameCard<Sim>[]>) | undefined;
 }
 
-export function createSidebar<Sim extends Simulation>(parent: HTMLElement, options: SidebarOptions<Sim>): Sidebar<Sim> {
+export async function createSidebar<Sim extends Simulation>(
+  parent: HTMLElement,
+  options: SidebarOptions<Sim>,
+): Promise<Sidebar<Sim>> {
   const { settings, values, set, world, actions, clip, canReplay } = options;
   const panel = createPanel(parent, settings, values, set);
-  const cards = options.cards(parent);
+  const cards = (await options.cards?.(parent)) ?? [];
   const plot = new PlotCard(parent, world, options.units);
+  const problem = options.plot === undefined ? '' : plot.choose(options.plot);
+  if (problem !== '') options.report(problem);
   const stats = createStats(parent);
   const profile = createProfileCard(parent);
   const tools = createToolsCard(parent, actions, clip, canReplay);

@@ -40,6 +40,8 @@ export interface GameState {
   readonly dragged: readonly number[];
   readonly hash: string;
   readonly energy: { readonly kinetic: number; readonly potential: number; readonly total: number };
+  /** What the reader's plot shows, as the address names it; undefined while there is no plot. */
+  readonly plot: string | undefined;
   /** Text of the banner; empty when it is hidden. */
   readonly banner: string;
   /** Milliseconds per frame, per step, and per submission of the world to the renderer. */
@@ -55,7 +57,7 @@ export interface GameHook {
   state(): GameState;
   /** Body number `index` in ascending order of ids. */
   body(index: number): BodyState;
-  /** Takes `count` steps at once. */
+  /** Takes `count` steps at once; plots record each of them. */
   step(count?: number): void;
   /** Rewinds by `seconds` of simulated time, to a snapshot. */
   rewind(seconds: number): void;
@@ -101,15 +103,16 @@ function bodyState<S extends Settings, Sim extends Simulation>(
 
 /** What the page around a session is like. */
 export interface PageState
-  extends Pick<GameState, 'ready' | 'renderer' | 'reducedMotion' | 'recording' | 'banner' | 'timing'> {
+  extends Pick<GameState, 'ready' | 'renderer' | 'reducedMotion' | 'recording' | 'plot' | 'banner' | 'timing'> {
   readonly view: View | undefined;
 }
 
-/** @param restore moves the session to a moment of the past */
+/** @param restore moves the session to a moment of the past @param record lets plots record a step */
 export function createHook<S extends Settings, Sim extends Simulation>(
   session: Session<S, Sim>,
   page: () => PageState,
   restore: (move: () => boolean) => void,
+  record: () => void,
   actions: Pick<GameHook, 'reset' | 'set' | 'pause' | 'resume' | 'show'>,
 ): GameHook {
   return {
@@ -119,7 +122,7 @@ export function createHook<S extends Settings, Sim extends Simulation>(
       return { ...sessionState(session), ...shown, game: session.game.report?.(session.sim) ?? {} };
     },
     body: (index) => bodyState(session, page().view, index),
-    step: (count) => session.step(count),
+    step: (count) => session.step(count, record),
     rewind: (seconds) => restore(() => session.rewind(seconds)),
     seek: (time) => restore(() => session.seek(time)),
     ...actions,

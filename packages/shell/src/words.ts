@@ -27,7 +27,7 @@ const en = {
   contextLost: 'Graphics interrupted – restoring…',
   controls: 'Controls',
   copyLink: 'Copy link',
-  copyLinkHint: 'Copy a link to this game with its settings and seed',
+  copyLinkHint: 'Copy a link to this game with its settings, seed and plot',
   drawIn: (label: string) => `Draw in ${label} (${label[0]})`,
   drawnLive: (title: string) => `${title}, drawn live; press H for help`,
   fit: 'Show everything (F)',
@@ -142,6 +142,8 @@ const en = {
   /** Sentences about values in the address. */
   address: {
     instead: (problem: string, value: string) => `In the address, ${problem} Using ${value} instead.`,
+    plot: (was: string) =>
+      `In the address, plot must be off, or what is plotted, against what, and the number of a body, such as Position.y,Position.x,1, but it was “${was}”. Showing the energy instead.`,
     unknown: (name: string, known: string) =>
       `The address names “${name}”, which is not a setting of this game. The settings are ${known}.`,
     wrong: (name: string, wanted: string, was: string) => `${name} must be ${wanted}, but it was ${was}.`,
@@ -292,6 +294,8 @@ const de: Words = {
   },
   address: {
     instead: (problem, value) => `In der Adresse: ${problem} Stattdessen gilt ${value}.`,
+    plot: (was) =>
+      `In der Adresse muss plot off sein, oder was gezeichnet wird, worüber, und die Nummer eines Körpers, etwa Position.y,Position.x,1, war aber „${was}“. Stattdessen erscheint die Energie.`,
     unknown: (name, known) =>
       `Die Adresse nennt „${name}“, aber so heißt keine Einstellung dieses Spiels. Es gibt ${known}.`,
     wrong: (name, wanted, was) => `${name} muss ${wanted} sein, war aber ${was}.`,

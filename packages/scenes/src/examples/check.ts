@@ -22,12 +22,14 @@ export type Tolerance = { readonly relative: number } | { readonly absolute: num
 export interface Check<Run, Values> {
   /** Says what is measured, such as `Period of a small bob`. */
   readonly label: string;
-  readonly unit: string;
+  /** Left out for a plain number. */
+  readonly unit?: string;
   /** The exact value; a plain number holds for the default values of the parameters only. */
   readonly exact: number | ((values: Values) => number);
   readonly tolerance: Tolerance;
   readonly at: Moment<Run>;
-  readonly measure: (run: Run) => number;
+  /** Left out, the time, s, as for when something happens. */
+  readonly measure?: (run: Run) => number;
   /** The integrator that the figure is about; left out, the one that the example uses by default. */
   readonly integrator?: Integrator;
   /** Label of the preset that the figure belongs to; left out, the default values. */
@@ -128,16 +130,22 @@ function stateOf<Run, Values>(
   return { state: applies ? (done ? judged : 'waiting') : 'not applicable', computed: result, exact: expected, error };
 }
 
-function measureOnce<Run extends Watched>(run: Run, { at, measure }: Check<Run, never>, progress: Progress): void {
+function measureOnce<Run extends Watched>(run: Run, check: Check<Run, never>, progress: Progress): void {
+  const { at } = check;
   const { time } = run.world;
   // Sums of steps are off by rounding, so a time counts as reached half a step early.
   const reached = (moment: number) => time > moment - run.dt / 2;
   if ('time' in at) {
-    if (reached(at.time)) finish(progress, measure(run));
+    if (reached(at.time)) finish(progress, measured(run, check));
   } else if ('until' in at) {
-    accumulate(progress, measure(run), at.take);
+    accumulate(progress, measured(run, check), at.take);
     if (reached(at.until)) finish(progress, at.take === 'mean' ? progress.base / progress.steps : progress.base);
-  } else watchEvent(run, at, measure(run), progress);
+  } else watchEvent(run, at, measured(run, check), progress);
+}
+
+/** Called only when it counts: what is measured may be a run of its own. */
+function measured<Run extends Watched>(run: Run, { measure }: Check<Run, never>): number {
+  return measure === undefined ? run.world.time : measure(run);
 }
 
 function finish(progress: Progress, result: number): void {

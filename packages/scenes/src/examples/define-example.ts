@@ -7,8 +7,8 @@ import type { Picture } from './picture.ts';
 /** A parameter of an example: a number in a range, or a choice of words, whose value is the index of the word. */
 export interface ExampleParameter {
   readonly label: string;
-  /** SI unit, or the unit of the book with its scale; empty for a dimensionless number. */
-  readonly unit: string;
+  /** SI unit, or the unit of the book with its scale; left out for a dimensionless number. */
+  readonly unit?: string;
   /** The default value. */
   readonly initial: number;
   readonly min: number;
@@ -20,6 +20,11 @@ export interface ExampleParameter {
   readonly about?: string;
   /** Words instead of numbers, from index `min` = 0 to `max`; see `choiceOf`. */
   readonly choices?: readonly string[];
+}
+
+/** A parameter that is a choice of words. @param initial index of the word to begin with */
+export function choiceOf(label: string, choices: readonly string[], initial = 0): ExampleParameter {
+  return { label, initial, min: 0, max: choices.length - 1, integer: true, choices };
 }
 
 /** The values of the parameters, by name. */
@@ -104,7 +109,7 @@ export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   build(values: ValuesOf<Name>, options: BuildOptions): Run;
   picture(run: Run, values: ValuesOf<Name>): Picture;
   /** By name; the names `up`, `down`, `left`, `right` and `action` give their place on the touch pad. */
-  readonly actions?: Readonly<Record<string, ExampleAction<Run>>>;
+  readonly actions?: Readonly<Record<string, ExampleAction<NoInfer<Run>>>>;
   readonly plots: readonly Plot<Run, ValuesOf<Name>>[];
   readonly histograms?: readonly Histogram<Run, ValuesOf<Name>>[];
   readonly checks: readonly Check<Run, ValuesOf<Name>>[];
@@ -279,6 +284,6 @@ function completeValues(
     });
   }
   return Object.fromEntries(
-    names.map((name) => [name, checkParameter(name, { about: '', ...parameters[name] }, given[name])]),
+    names.map((name) => [name, checkParameter(name, { about: '', unit: '', ...parameters[name] }, given[name])]),
   );
 }

@@ -1,17 +1,19 @@
 /**
- * Every example: its description is complete, it runs without a fault, repeats itself, lets go of what it made, and its
- * figures are right.
+ * Every example without a page: its description is complete, it runs without a fault, repeats itself, lets go of what it
+ * made, ends where it always ended, and its figures are right. `test/browser/laboratory.test.ts` opens each on its page.
  */
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { type Integrator, stateHash, step } from '@principia/physics';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
+import { motionHash } from '../../../../test/support/chaos.ts';
 import type { Example, ExampleRun } from './define-example.ts';
 import { EXAMPLES } from './examples.gen.ts';
 import { now, type Picture } from './picture.ts';
 
 /** Names that the address of the laboratory uses for itself. */
-const RESERVED = /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|search|code)$/;
+const RESERVED =
+  /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|plot|folded|errors|search|code)$/;
 
 /** Steps that every example takes at least. */
 const STEPS = 600;
@@ -21,14 +23,25 @@ it('there are examples, each with a name of its own', () => {
   expect(new Set(EXAMPLES.map(({ id }) => id)).size).toBe(EXAMPLES.length);
 });
 
-/** Runs until all checks are done, for at least `STEPS` steps and at most the duration of the example. */
-function runToEnd(run: ExampleRun, { duration }: Example): void {
-  const steps = Math.max(STEPS, Math.ceil(duration / run.dt) + 1);
-  for (let i = 0; i < steps && !(i >= STEPS && run.isDone()); i++) {
+/** Takes the first `STEPS` steps. */
+function runBriefly(run: ExampleRun): void {
+  for (let i = 0; i < STEPS; i++) {
     step(run.world, run.dt);
     run.observe();
   }
 }
+
+/** Runs on until all checks are done, at most for the duration of the example. */
+function runToEnd(run: ExampleRun, { duration }: Example): void {
+  const steps = Math.ceil(duration / run.dt) + 1;
+  for (let i = STEPS; i < steps && !run.isDone(); i++) {
+    step(run.world, run.dt);
+    run.observe();
+  }
+}
+
+/** Where the motion of each example that was run is after `STEPS` steps. */
+const motions = new Map<string, string>();
 
 setFlagsFromString('--expose-gc');
 const collectGarbage = runInNewContext('gc') as () => void;
@@ -75,7 +88,8 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     for (const [name, { label, unit, initial, min, max, choices, integer }] of Object.entries(example.parameters)) {
       expect(name).not.toMatch(RESERVED);
       expect(label, name).not.toBe('');
-      expect(unit, name).toBeTypeOf('string');
+      // A number without a unit has none.
+      expect(unit, name).not.toBe('');
       expect(min, name).toBeLessThan(max);
       expect(initial, name).toBeGreaterThanOrEqual(min);
       expect(initial, name).toBeLessThanOrEqual(max);
@@ -90,27 +104,26 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       vi.spyOn(console, name).mockImplementation((...text) => void messages.push(text)),
     );
     const judged = new Set<number>();
-    const hashes = settingsOf(example).flatMap(({ integrator, preset }) => {
+    for (const { integrator, preset } of settingsOf(example)) {
       const { values = {} } = example.presets.find(({ label }) => label === preset) ?? {};
       const options = { values: values as Record<string, number>, ...(integrator === undefined ? {} : { integrator }) };
-      return [0, 1].map(() => {
-        const run = example.start(options);
-        runToEnd(run, example);
-        for (const [i, state] of run.checkStates().entries()) {
-          const { label, integrator: wanted, preset: meant } = example.checks[i];
-          // A figure without an integrator is about the example's own, and one without a preset about the default values.
-          const isOther = (wanted === undefined && integrator !== undefined) || meant !== preset;
-          if (state.state === 'not applicable' || isOther) continue;
-          judged.add(i);
-          expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
-            'passed',
-          );
-        }
-        expect(run.world.faults.faults).toEqual([]);
-        return stateHash(run.world);
-      });
-    });
-    for (let i = 0; i < hashes.length; i += 2) expect(hashes[i]).toBe(hashes[i + 1]);
+      const [run, again] = [example.start(options), example.start(options)];
+      for (const each of [run, again]) runBriefly(each);
+      expect(stateHash(again.world)).toBe(stateHash(run.world));
+      if (integrator === undefined && preset === undefined) motions.set(id, motionHash(run.world));
+      runToEnd(run, example);
+      for (const [i, state] of run.checkStates().entries()) {
+        const { label, integrator: wanted, preset: meant } = example.checks[i];
+        // A figure without an integrator is about the example's own, and one without a preset about the default values.
+        const isOther = (wanted === undefined && integrator !== undefined) || meant !== preset;
+        if (state.state === 'not applicable' || isOther) continue;
+        judged.add(i);
+        expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
+          'passed',
+        );
+      }
+      expect(run.world.faults.faults).toEqual([]);
+    }
     expect([...judged].sort((a, b) => a - b)).toEqual(example.checks.map((_, i) => i));
     for (const spy of spies) spy.mockRestore();
     expect(messages).toEqual([]);
@@ -158,6 +171,16 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       for (const value of [...densities(), exact(x.min), exact(x.max)]) expect(Number.isFinite(value)).toBe(true);
     }
   });
+});
+
+/**
+ * See `test/determinism/golden.test.ts` for what another hash means. `npx vitest run --project unit` with the path of this
+ * file and `-u` writes that of a new example.
+ */
+it('600 steps of every example end where they always ended', async (context) => {
+  if (motions.size < EXAMPLES.length) return context.skip('Not all examples were run.');
+  const lines = EXAMPLES.map(({ id }) => `${motions.get(id)} ${id}\n`);
+  await expect(lines.join('')).toMatchFileSnapshot('../../../../test/determinism/example-hashes.txt');
 });
 
 /** The coordinates of everything in a picture. */

@@ -2,6 +2,7 @@
 export type { Check, CheckState, Moment, Tolerance } from './check.ts';
 export {
   type BuildOptions,
+  choiceOf,
   defineExample,
   type Example,
   type ExampleAction,

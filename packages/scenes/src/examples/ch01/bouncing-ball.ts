@@ -30,7 +30,7 @@ export default defineExample({
   duration: 16,
   parameters: {
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 360, min: 60, max: 900 },
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.8, min: 0, max: 0.95 },
     speed: { label: 'Speed to the right', unit: 'px/s', initial: 120, min: 0, max: 300 },
   },
   presets: [
@@ -78,7 +78,6 @@ export default defineExample({
     },
     {
       label: 'Time of the first impact, √(2h/g), in frames of 1/60 s',
-      unit: '',
       exact: 92.7,
       tolerance: { relative: 0.005 },
       at: { event: ({ world, ball }) => -velocityOf(world, ball).y },
@@ -98,7 +97,6 @@ export default defineExample({
       exact: (values) => ((impactSpeed(values) / values.gravity) * (1 + values.restitution)) / (1 - values.restitution),
       tolerance: { relative: 0.005 },
       at: { event: ({ world, ball }) => (velocityOf(world, ball).y === 0 && world.time > 0.1 ? 1 : -1) },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'First time it leaves on the right',
@@ -106,7 +104,6 @@ export default defineExample({
       exact: ({ speed }) => (STAGE.maxX + RADIUS - START.x) / speed,
       tolerance: { absolute: 1e-9 },
       at: { event: ({ world, ball }) => positionOf(world, ball).x - STAGE.maxX - RADIUS },
-      measure: ({ world }) => world.time,
     },
   ],
   tryThis: [

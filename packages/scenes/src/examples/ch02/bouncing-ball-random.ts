@@ -30,8 +30,8 @@ export default defineExample({
     'The ball starts with a velocity that the computer draws by lot: up to 300 px/s to the right, and up to 120 px/s up or down. The numbers look random, but they follow from the seed: the same seed gives the same throw again. Of ten thousand draws the mean is close to the middle of the range.',
   duration: 12,
   parameters: {
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
-    balls: { label: 'Number of balls', unit: '', initial: 1, min: 1, max: 30, integer: true },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.8, min: 0, max: 0.95 },
+    balls: { label: 'Number of balls', initial: 1, min: 1, max: 30, integer: true },
   },
   presets: [{ label: 'Thirty balls at once', values: { balls: 30 } }],
   build({ restitution, balls }, { seed, integrator = velocityVerlet }) {

@@ -27,9 +27,9 @@ export default defineExample({
     'Five balls start at the same place with random velocities, and pass through each other: each moves as if it were alone. Every bounce leaves 80 % of the speed at which a ball hits the floor, and so 64 % of the energy of its motion up and down; the motion to the right goes on unchanged.',
   duration: 16,
   parameters: {
-    balls: { label: 'Number of balls', unit: '', initial: 5, min: 1, max: 50, integer: true },
+    balls: { label: 'Number of balls', initial: 5, min: 1, max: 50, integer: true },
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 360, min: 60, max: 900 },
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.8, min: 0, max: 0.95 },
   },
   build(
     { balls, gravity, restitution }: ValuesOf<'balls' | 'gravity' | 'restitution'>,
@@ -73,7 +73,6 @@ export default defineExample({
   checks: [
     {
       label: 'Number of balls after 16 s',
-      unit: '',
       exact: ({ balls }) => balls,
       tolerance: { absolute: 0 },
       at: { time: 16 },
@@ -98,7 +97,6 @@ export default defineExample({
     {
       // The five first bounces are over after 2.2 s at the latest, and none of the second has come by 3 s.
       label: 'Energy after one bounce each, e²',
-      unit: '',
       exact: 0.64,
       tolerance: { relative: 1e-9 },
       at: { time: 3 },

@@ -1,4 +1,4 @@
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type ViewBox } from '../picture.ts';
 import { emptyWorld } from '../support/read.ts';
 
@@ -20,7 +20,7 @@ export default defineExample({
     'Two sheets, one over the other: where they overlap only the one is seen that was drawn last. That is all there is to layers. Draw what is far away first, and what is near last, and a flat picture looks deep.',
   duration: 2,
   parameters: {
-    last: { label: 'Drawn last', unit: '', initial: 0, min: 0, max: 1, integer: true, choices: ['red', 'green'] },
+    last: choiceOf('Drawn last', ['red', 'green']),
     left: { label: 'Left side of the red sheet', unit: 'px', initial: 250, min: 0, max: 500 },
   },
   presets: [{ label: 'Green on top', values: { last: 1 } }],

@@ -30,7 +30,7 @@ export default defineExample({
   about:
     'A screen knows no circles: what looks like one is a polygon with many short sides. Choose the number of corners and watch the area of the disc grow towards π r². The other shapes are simpler: a line, whose length follows from Pythagoras, and boxes, filled or not. What is drawn later lies on top.',
   duration: 6,
-  parameters: { corners: { label: 'Corners of the disc', unit: '', initial: 48, min: 3, max: 100, integer: true } },
+  parameters: { corners: { label: 'Corners of the disc', initial: 48, min: 3, max: 100, integer: true } },
   presets: [{ label: 'A hexagon', values: { corners: 6 } }],
   build({ corners }: ValuesOf<'corners'>) {
     const world = emptyWorld();

@@ -24,7 +24,7 @@ export default defineExample({
   about:
     'A gradient is many stripes, each of a slightly different colour: red, green and blue are each mixed in proportion to the way. Half-way between white and blue all three are half-way. For a glow the stripes are rings, from the outside in. With few stripes one sees how it is made.',
   duration: 10,
-  parameters: { stripes: { label: 'Stripes', unit: '', initial: 101, min: 3, max: 101, integer: true } },
+  parameters: { stripes: { label: 'Stripes', initial: 101, min: 3, max: 101, integer: true } },
   presets: [{ label: 'Nine stripes', values: { stripes: 9 } }],
   build({ stripes }: ValuesOf<'stripes'>) {
     const world = emptyWorld();
@@ -77,7 +77,6 @@ export default defineExample({
   checks: [
     {
       label: 'Red of the stripe at half height',
-      unit: '',
       exact: 128,
       tolerance: { absolute: 2 },
       at: { time: 0 },
@@ -85,7 +84,6 @@ export default defineExample({
     },
     {
       label: 'Blue of the stripe at half height',
-      unit: '',
       exact: 255,
       tolerance: { absolute: 0 },
       at: { time: 0 },
@@ -93,7 +91,6 @@ export default defineExample({
     },
     {
       label: 'Green of the glow half-way from 5 to 50 px',
-      unit: '',
       exact: 127.5,
       tolerance: { absolute: 2 },
       at: { time: 0 },

@@ -40,7 +40,6 @@ export default defineExample({
   checks: [
     {
       label: 'Upright lines, 350/10 + 1',
-      unit: '',
       exact: 36,
       tolerance: { absolute: 0 },
       at: { time: 0 },
@@ -48,7 +47,6 @@ export default defineExample({
     },
     {
       label: 'Level lines, 250/10 + 1',
-      unit: '',
       exact: 26,
       tolerance: { absolute: 0 },
       at: { time: 0 },

@@ -57,7 +57,6 @@ export default defineExample({
     },
     {
       label: 'Squares of 10 px, one in each row: 300/10 + 1',
-      unit: '',
       exact: 31,
       tolerance: { absolute: 0 },
       at: { time: 0 },

@@ -80,7 +80,6 @@ export default defineExample({
     },
     {
       label: 'Orange dots: fastest and slowest, 144/30',
-      unit: '',
       exact: 4.8,
       tolerance: { relative: 1e-9 },
       at: { time: 10 },

@@ -39,7 +39,7 @@ export default defineExample({
   ends: true,
   parameters: {
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 360, min: 60, max: 900 },
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.8, min: 0, max: 0.95 },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.8, min: 0, max: 0.95 },
   },
   build({ gravity, restitution }) {
     const path = recordPath(gravity, restitution);
@@ -78,7 +78,6 @@ export default defineExample({
     },
     {
       label: 'Pictures of the film, 60 a second and the first',
-      unit: '',
       exact: 60 * SECONDS + 1,
       tolerance: { absolute: 0 },
       at: { time: 0 },

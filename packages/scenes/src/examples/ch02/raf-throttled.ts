@@ -45,7 +45,6 @@ export default defineExample({
   checks: [
     {
       label: 'Pictures in 10 s: every ⌈rate/cap⌉-th of the display’s',
-      unit: '',
       exact: ({ rate, cap }) => Math.floor((10 * rate) / Math.ceil(rate / cap)),
       tolerance: { absolute: 0 },
       at: { time: 10 },
@@ -53,7 +52,6 @@ export default defineExample({
     },
     {
       label: 'Pictures in 10 s of a display of 144 with a cap of 60',
-      unit: '',
       exact: 480,
       tolerance: { absolute: 0 },
       at: { time: 10 },

@@ -14,7 +14,7 @@ export default defineExample({
   about:
     'The computer measures the slope of y = x² with two points of the curve. If it takes the dot and one further on (blue), it looks ahead, and finds 2x + h instead of 2x. If it takes one point before and one behind (green), the errors cancel, and the slope of a parabola comes out exactly.',
   duration: 10,
-  parameters: { h: { label: 'Distance of the points h', unit: '', initial: 0.3, min: 0.01, max: 1.5 } },
+  parameters: { h: { label: 'Distance of the points h', initial: 0.3, min: 0.01, max: 1.5 } },
   presets: [{ label: 'Points far apart', values: { h: 1.5 } }],
   build({ h }: ValuesOf<'h'>) {
     const world = emptyWorld();
@@ -63,7 +63,6 @@ export default defineExample({
   checks: [
     {
       label: 'One point ahead: largest difference from 2x + h',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-9 },
       at: { time: 0 },
@@ -71,7 +70,6 @@ export default defineExample({
     },
     {
       label: 'Both sides: largest difference from 2x',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-9 },
       at: { time: 0 },

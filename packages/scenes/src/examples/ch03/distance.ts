@@ -11,10 +11,10 @@ export default defineExample({
     'Go from one point to the other along the grid: first across, then up. The straight way is the long side of a right-angled triangle, so its square is the sum of the two squares: 3² + 4² = 5². Games ask this question all the time: has the ball touched the player?',
   duration: 4,
   parameters: {
-    ax: { label: 'First point, x', unit: '', initial: 1, min: 0, max: 9 },
-    ay: { label: 'First point, y', unit: '', initial: 2, min: 0, max: 7 },
-    bx: { label: 'Second point, x', unit: '', initial: 4, min: 0, max: 9 },
-    by: { label: 'Second point, y', unit: '', initial: 6, min: 0, max: 7 },
+    ax: { label: 'First point, x', initial: 1, min: 0, max: 9 },
+    ay: { label: 'First point, y', initial: 2, min: 0, max: 7 },
+    bx: { label: 'Second point, x', initial: 4, min: 0, max: 9 },
+    by: { label: 'Second point, y', initial: 6, min: 0, max: 7 },
   },
   presets: [{ label: 'Five and twelve, halved', values: { ax: 1, ay: 1, bx: 7, by: 3.5 } }],
   build({ ax, ay, bx, by }: ValuesOf<'ax' | 'ay' | 'bx' | 'by'>) {
@@ -57,7 +57,6 @@ export default defineExample({
   checks: [
     {
       label: 'Distance of (1, 2) and (4, 6)',
-      unit: '',
       exact: 5,
       tolerance: { absolute: 0 },
       at: { time: 0 },
@@ -65,7 +64,6 @@ export default defineExample({
     },
     {
       label: 'Distance that the walker has gone after 4 s',
-      unit: '',
       exact: ({ ax, ay, bx, by }) => Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay)),
       tolerance: { absolute: 1e-9 },
       at: { time: 4 },

@@ -1,5 +1,5 @@
 import { exp, log } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { areaOf, graphOf, type RealFunction, rootOf } from '../support/functions.ts';
 import { emptyWorld } from '../support/read.ts';
@@ -31,15 +31,10 @@ export default defineExample({
     'Bacteria double in equal times, and coffee loses half of its extra warmth in equal times: exp(x) and exp(−x). The bell curve exp(−x²) shows up wherever many small accidents add up. The logarithm asks the reverse question: how long until it has grown so much?',
   duration: 6,
   parameters: {
-    curve: {
-      label: 'Function',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 3,
-      integer: true,
-      choices: CHOICES.map(({ name }) => name),
-    },
+    curve: choiceOf(
+      'Function',
+      CHOICES.map(({ name }) => name),
+    ),
   },
   presets: CHOICES.slice(1).map(({ name }, i) => ({ label: name, values: { curve: i + 1 } })),
   build: () => ({ world: emptyWorld(), dt: 1 / 60 }),
@@ -69,7 +64,6 @@ export default defineExample({
   checks: [
     {
       label: 'Area under the bell curve, √π',
-      unit: '',
       exact: Math.sqrt(Math.PI),
       tolerance: { absolute: 1e-3 },
       at: { time: 0 },
@@ -77,7 +71,6 @@ export default defineExample({
     },
     {
       label: 'Where exp(−x) has fallen to a half, ln 2',
-      unit: '',
       exact: log(2),
       tolerance: { absolute: 1e-10 },
       at: { time: 0 },
@@ -85,7 +78,6 @@ export default defineExample({
     },
     {
       label: 'Largest difference of ln(exp(x)) and x',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },

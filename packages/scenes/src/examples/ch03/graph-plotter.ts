@@ -23,7 +23,7 @@ export default defineExample({
     'A computer draws a curve like a child that joins numbered dots: it computes some points, and draws straight lines between them. Nine points make the parabola y = x² look like a bent wire; a hundred and one, and no eye sees the corners any more. With half the distance of the dots the error is a quarter.',
   duration: 8,
   ends: true,
-  parameters: { points: { label: 'Number of dots', unit: '', initial: 9, min: 3, max: 101, integer: true } },
+  parameters: { points: { label: 'Number of dots', initial: 9, min: 3, max: 101, integer: true } },
   presets: [{ label: 'A smooth curve', values: { points: 101 } }],
   build: ({ points }: ValuesOf<'points'>) => ({ world: emptyWorld(), dt: 1 / 60, points }),
   picture({ world }, { points }) {
@@ -75,7 +75,6 @@ export default defineExample({
     },
     {
       label: 'Largest error of the lines, (Δx)²/4',
-      unit: '',
       exact: ({ points }) => 16 / ((points - 1) * (points - 1)),
       tolerance: { relative: 1e-9 },
       at: { time: 0 },

@@ -15,7 +15,7 @@ export default defineExample({
   duration: 6,
   ends: true,
   parameters: {
-    columns: { label: 'Number of columns', unit: '', initial: 24, min: 4, max: 200, integer: true, scale: 'log' },
+    columns: { label: 'Number of columns', initial: 24, min: 4, max: 200, integer: true, scale: 'log' },
   },
   presets: [{ label: 'Narrow columns', values: { columns: 200 } }],
   build({ columns }: ValuesOf<'columns'>) {
@@ -69,7 +69,6 @@ export default defineExample({
   checks: [
     {
       label: 'Error of the columns at the end, −h/2 (f(3) − f(−3))',
-      unit: '',
       exact: ({ columns }) => -36 / columns,
       tolerance: { absolute: 1e-9 },
       at: { time: 6 },
@@ -77,7 +76,6 @@ export default defineExample({
     },
     {
       label: 'The same with a thousand columns',
-      unit: '',
       exact: -0.036,
       tolerance: { absolute: 1e-9 },
       at: { time: 0 },
@@ -86,7 +84,6 @@ export default defineExample({
     {
       // 0.018 are missing at the start, where x² is 9.018, and 0.036 are lost by the left sides.
       label: 'Columns from −3.003 to 2.997, begun with 9: where x² is 8.982',
-      unit: '',
       exact: 8.928,
       tolerance: { absolute: 1e-9 },
       at: { time: 0 },
@@ -94,7 +91,6 @@ export default defineExample({
     },
     {
       label: 'With slanting tops instead of level ones',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-9 },
       at: { time: 0 },

@@ -14,8 +14,8 @@ export default defineExample({
   parameters: {
     // The angle grows by 0.01 rad in each of 60 ticks a second.
     rate: { label: 'Angle per second', unit: 'rad/s', initial: 0.6, min: 0.1, max: 3 },
-    width: { label: 'Radius along x', unit: '', initial: 1, min: 0.2, max: 1.9 },
-    height: { label: 'Radius along y', unit: '', initial: 1, min: 0.2, max: 1.2 },
+    width: { label: 'Radius along x', initial: 1, min: 0.2, max: 1.9 },
+    height: { label: 'Radius along y', initial: 1, min: 0.2, max: 1.2 },
   },
   presets: [{ label: 'An ellipse', values: { width: 1.8, height: 0.6 } }],
   build({ rate, width, height }) {
@@ -53,7 +53,6 @@ export default defineExample({
   checks: [
     {
       label: 'Longest step of the dot in a tick',
-      unit: '',
       exact: 0.01,
       tolerance: { relative: 1e-5 },
       at: { until: 10, take: 'largest' },
@@ -61,7 +60,6 @@ export default defineExample({
     },
     {
       label: 'Shortest step',
-      unit: '',
       exact: 0.01,
       tolerance: { relative: 1e-5 },
       at: { until: 10, take: 'smallest' },
@@ -69,7 +67,6 @@ export default defineExample({
     },
     {
       label: 'Largest distance from the middle',
-      unit: '',
       exact: ({ width, height }) => Math.max(width, height),
       tolerance: { absolute: 1e-5 },
       at: { until: 16, take: 'largest' },
@@ -82,7 +79,6 @@ export default defineExample({
       tolerance: { relative: 1e-5 },
       // At time 0 the dot is at x = 0 as well, on its way to the right.
       at: { event: ({ at }) => at().x },
-      measure: ({ world }) => world.time,
     },
   ],
   tryThis: [

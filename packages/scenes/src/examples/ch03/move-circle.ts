@@ -16,7 +16,7 @@ export default defineExample({
     'From x² + y² = 1 follows y = −√(1 − x²), the lower half of a circle. The dot moves evenly to the right, but not evenly along the circle: where the circle is steep it has a long way to go for each bit of x. A function has one y for each x, so it cannot go round at all.',
   duration: 2 / SPEED,
   ends: true,
-  parameters: { radius: { label: 'Radius', unit: '', initial: 1, min: 0.5, max: 1.2 } },
+  parameters: { radius: { label: 'Radius', initial: 1, min: 0.5, max: 1.2 } },
   build({ radius }) {
     const world = emptyWorld();
     const x = () => Math.min(1, -1 + SPEED * world.time);
@@ -45,7 +45,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest x² + y² of the dot',
-      unit: '',
       exact: ({ radius }) => radius * radius,
       tolerance: { absolute: 1e-12 },
       at: { until: 2 / SPEED, take: 'largest' },

@@ -1,5 +1,5 @@
 import { exp, sin } from '@principia/physics';
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { graphOf, largestOf, type RealFunction } from '../support/functions.ts';
 import { emptyWorld } from '../support/read.ts';
@@ -25,15 +25,10 @@ export default defineExample({
   duration: 20 / SPEED,
   ends: true,
   parameters: {
-    curve: {
-      label: 'Function',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 2,
-      integer: true,
-      choices: CHOICES.map(({ name }) => name),
-    },
+    curve: choiceOf(
+      'Function',
+      CHOICES.map(({ name }) => name),
+    ),
   },
   presets: CHOICES.slice(1).map(({ name }, i) => ({ label: name, values: { curve: i + 1 } })),
   build({ curve }: ValuesOf<'curve'>) {
@@ -58,7 +53,6 @@ export default defineExample({
   checks: [
     {
       label: 'Height of the dot as it passes x = 0',
-      unit: '',
       exact: -31.5,
       tolerance: { absolute: 1e-9 },
       at: { time: 10 / SPEED },
@@ -66,7 +60,6 @@ export default defineExample({
     },
     {
       label: 'Largest value at the six zeros',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { time: 0 },
@@ -74,7 +67,6 @@ export default defineExample({
     },
     {
       label: 'Largest value beyond ±9',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0.01 },
       at: { time: 0 },

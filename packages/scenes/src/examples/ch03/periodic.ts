@@ -42,8 +42,8 @@ export default defineExample({
     'A periodic function repeats itself: know one period, and you know all. The sawtooth rises evenly and drops at once, like the beam of an old television. The square wave is on or off, like a lamp that blinks. Its mean is the share of the time in which it is on.',
   duration: 10,
   parameters: {
-    period: { label: 'Period of the sawtooth', unit: '', initial: 2, min: 0.5, max: 4 },
-    duty: { label: 'Share of time on', unit: '', initial: 0.5, min: 0.05, max: 0.95 },
+    period: { label: 'Period of the sawtooth', initial: 2, min: 0.5, max: 4 },
+    duty: { label: 'Share of time on', initial: 0.5, min: 0.05, max: 0.95 },
   },
   build: () => ({ world: emptyWorld(), dt: 1 / 60 }),
   picture({ world }, { period, duty }) {
@@ -72,7 +72,6 @@ export default defineExample({
   checks: [
     {
       label: 'Mean of the sawtooth over five periods, half the period',
-      unit: '',
       exact: 1,
       tolerance: { relative: 0.01 },
       at: { time: 0 },
@@ -80,7 +79,6 @@ export default defineExample({
     },
     {
       label: 'Mean of the square wave, its share of time on',
-      unit: '',
       exact: 0.5,
       tolerance: { relative: 0.01 },
       at: { time: 0 },

@@ -1,4 +1,4 @@
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { graphOf, type RealFunction, rootOf, slopeOf } from '../support/functions.ts';
 import { emptyWorld } from '../support/read.ts';
@@ -18,7 +18,7 @@ export default defineExample({
     'A polynomial is a sum of powers of x. With x² the curve has one valley, with x³ a hill and a valley, and with x⁵ it may have two of each. The short line is the tangent at the dot: it is level at the bottom of a valley and on top of a hill.',
   duration: 10,
   parameters: {
-    curve: { label: 'Function', unit: '', initial: 0, min: 0, max: 2, integer: true, choices: NAMES },
+    curve: choiceOf('Function', NAMES),
   },
   presets: NAMES.slice(1).map((label, i) => ({ label, values: { curve: i + 1 } })),
   build: () => ({ world: emptyWorld(), dt: 1 / 60 }),
@@ -44,7 +44,6 @@ export default defineExample({
   checks: [
     {
       label: 'Left zero of x² − 2x − 3',
-      unit: '',
       exact: -1,
       tolerance: { absolute: 1e-10 },
       at: { time: 0 },
@@ -52,7 +51,6 @@ export default defineExample({
     },
     {
       label: 'Right zero',
-      unit: '',
       exact: 3,
       tolerance: { absolute: 1e-10 },
       at: { time: 0 },
@@ -60,7 +58,6 @@ export default defineExample({
     },
     {
       label: 'Place of the lowest point, where the slope is 0',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-10 },
       at: { time: 0 },
@@ -68,7 +65,6 @@ export default defineExample({
     },
     {
       label: 'Value at the lowest point',
-      unit: '',
       exact: -4,
       tolerance: { absolute: 1e-10 },
       at: { time: 0 },

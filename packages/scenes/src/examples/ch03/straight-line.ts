@@ -12,8 +12,8 @@ export default defineExample({
     'The line y = m x + c rises by m for each step of 1 to the right, and crosses the y axis at c. The little staircase moves along the line: wherever it stands, its step has the same height. That is what makes the line straight.',
   duration: 6,
   parameters: {
-    slope: { label: 'Slope m', unit: '', initial: 2, min: -3, max: 3 },
-    intercept: { label: 'Height c at x = 0', unit: '', initial: 1, min: -3, max: 3 },
+    slope: { label: 'Slope m', initial: 2, min: -3, max: 3 },
+    intercept: { label: 'Height c at x = 0', initial: 1, min: -3, max: 3 },
   },
   presets: [
     { label: 'Level', values: { slope: 0 } },
@@ -50,7 +50,6 @@ export default defineExample({
   checks: [
     {
       label: 'Slope, from two neighbouring points',
-      unit: '',
       exact: ({ slope }) => slope,
       tolerance: { absolute: 1e-12 },
       at: { until: 6, take: 'largest' },
@@ -58,7 +57,6 @@ export default defineExample({
     },
     {
       label: 'Where it crosses the y axis',
-      unit: '',
       exact: ({ intercept }) => intercept,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },

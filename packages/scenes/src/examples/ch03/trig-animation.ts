@@ -23,7 +23,7 @@ export default defineExample({
   duration: 1440 / DEGREES_PER_SECOND,
   ends: true,
   parameters: {
-    terms: { label: 'Number of sines', unit: '', initial: 5, min: 1, max: 1000, integer: true, scale: 'log' },
+    terms: { label: 'Number of sines', initial: 5, min: 1, max: 1000, integer: true, scale: 'log' },
   },
   presets: [
     { label: 'One sine', values: { terms: 1 } },
@@ -58,7 +58,6 @@ export default defineExample({
   checks: [
     {
       label: 'Sum at 90°',
-      unit: '',
       exact: 0.834921,
       tolerance: { absolute: 1e-6 },
       at: { time: 0 },
@@ -66,7 +65,6 @@ export default defineExample({
     },
     {
       label: 'Half of the Gibbs peak of many sines, Si(π)/2',
-      unit: '',
       exact: 0.925969,
       tolerance: { absolute: 1e-6 },
       at: { time: 0 },
@@ -74,7 +72,6 @@ export default defineExample({
     },
     {
       label: 'Limit at 90° of many sines, π/4: the mean of the sums of 1000 and 1001',
-      unit: '',
       exact: 0.785398,
       tolerance: { absolute: 1e-6 },
       at: { time: 0 },

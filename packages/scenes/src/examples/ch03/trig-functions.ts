@@ -1,5 +1,5 @@
 import { cos, sin } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { graphOf, largestOf, type RealFunction } from '../support/functions.ts';
 import { emptyWorld } from '../support/read.ts';
@@ -33,15 +33,10 @@ export default defineExample({
     'A point that goes round a circle is up, down and up again: its height is the sine of the angle, and its distance to the right the cosine. Both are the same wave, one 90° behind the other. Their quotient is the tangent, the steepness of the line to the point, which is infinite when the line stands upright.',
   duration: 12,
   parameters: {
-    curve: {
-      label: 'Function',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 3,
-      integer: true,
-      choices: CHOICES.map(({ name }) => name),
-    },
+    curve: choiceOf(
+      'Function',
+      CHOICES.map(({ name }) => name),
+    ),
     rate: { label: 'Angle per second', unit: '°/s', initial: 60, min: 10, max: 180 },
   },
   presets: CHOICES.slice(1).map(({ name }, i) => ({ label: name, values: { curve: i + 1 } })),
@@ -63,7 +58,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest difference of cos (x − 90°) and sin x',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },
@@ -71,7 +65,6 @@ export default defineExample({
     },
     {
       label: 'Largest difference of sin (x + 360°) and sin x',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },
@@ -79,7 +72,6 @@ export default defineExample({
     },
     {
       label: 'Sine of 30°',
-      unit: '',
       exact: 0.5,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },
@@ -87,7 +79,6 @@ export default defineExample({
     },
     {
       label: 'Tangent of 45°',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },

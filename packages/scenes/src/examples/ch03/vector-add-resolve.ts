@@ -15,8 +15,8 @@ export default defineExample({
     'Two people pull at a box, each in a direction of his own. Put the tail of the second arrow to the tip of the first, and you get the arrow of what both do together. The longest side of the parallelogram is never longer than both arrows in a row, and never shorter than their difference.',
   duration: 12,
   parameters: {
-    a: { label: 'Length of a', unit: '', initial: 3, min: 0.5, max: 5 },
-    b: { label: 'Length of b', unit: '', initial: 4, min: 0.5, max: 5 },
+    a: { label: 'Length of a', initial: 3, min: 0.5, max: 5 },
+    b: { label: 'Length of b', initial: 4, min: 0.5, max: 5 },
     angle: { label: 'Angle between them at first', unit: '°', initial: 90, min: 0, max: 180 },
     rate: { label: 'Turning of b', unit: '°/s', initial: 30, min: 0, max: 90 },
   },
@@ -61,7 +61,6 @@ export default defineExample({
   checks: [
     {
       label: 'Length of 3 and 4 at a right angle',
-      unit: '',
       exact: 5,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },
@@ -77,7 +76,6 @@ export default defineExample({
     },
     {
       label: 'Resolved into length and angle and put together again: largest change',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-15 },
       at: { time: 0 },

@@ -18,8 +18,8 @@ export default defineExample({
     'Two numbers that go together make a vector. Add two by putting the second at the tip of the first; subtract, and you get the way from one tip to the other. Divide a vector by its length and its direction is left, of length 1: the small white arrow. With these few operations all of our motion is written.',
   duration: 12,
   parameters: {
-    a: { label: 'Length of the first', unit: '', initial: 1.5, min: 0.2, max: 2 },
-    b: { label: 'Length of the second', unit: '', initial: 1, min: 0.2, max: 2 },
+    a: { label: 'Length of the first', initial: 1.5, min: 0.2, max: 2 },
+    b: { label: 'Length of the second', initial: 1, min: 0.2, max: 2 },
   },
   build({ a, b }: ValuesOf<'a' | 'b'>) {
     const world = emptyWorld();
@@ -60,7 +60,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest |(a + b) − b − a|: subtraction undoes addition',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-15 },
       at: { until: 12, take: 'largest' },
@@ -68,7 +67,6 @@ export default defineExample({
     },
     {
       label: 'Largest length of a/|a|',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 5e-16 },
       at: { until: 12, take: 'largest' },
@@ -76,7 +74,6 @@ export default defineExample({
     },
     {
       label: 'Largest a·b − b·a',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { until: 12, take: 'largest' },
@@ -84,7 +81,6 @@ export default defineExample({
     },
     {
       label: 'Largest deviation from |a + b|² + |a − b|² = 2 |a|² + 2 |b|²',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-14 },
       at: { until: 12, take: 'largest' },

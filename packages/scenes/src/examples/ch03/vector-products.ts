@@ -15,9 +15,9 @@ export default defineExample({
     'The dot product says how far two arrows go in the same direction: it is the shadow of the one on the other, times the other’s length, and 0 at a right angle. The cross product says how far they spread: it is the area of the parallelogram, positive if the second lies to the left of the first, and 0 if they are in line.',
   duration: 12,
   parameters: {
-    ax: { label: 'First arrow, x', unit: '', initial: 1, min: -2, max: 2 },
-    ay: { label: 'First arrow, y', unit: '', initial: 1, min: -2, max: 2 },
-    b: { label: 'Length of the second', unit: '', initial: 1, min: 0.2, max: 2 },
+    ax: { label: 'First arrow, x', initial: 1, min: -2, max: 2 },
+    ay: { label: 'First arrow, y', initial: 1, min: -2, max: 2 },
+    b: { label: 'Length of the second', initial: 1, min: 0.2, max: 2 },
     rate: { label: 'Turning of the second', unit: '°/s', initial: 30, min: 0, max: 90 },
   },
   build({ ax, ay, b, rate }: ValuesOf<'ax' | 'ay' | 'b' | 'rate'>) {
@@ -68,7 +68,6 @@ export default defineExample({
   checks: [
     {
       label: 'Dot product of (1, 1) and (1, 0)',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 0 },
       at: { time: 0 },
@@ -76,7 +75,6 @@ export default defineExample({
     },
     {
       label: 'Their cross product: the second lies to the right',
-      unit: '',
       exact: -1,
       tolerance: { absolute: 0 },
       at: { time: 0 },
@@ -84,7 +82,6 @@ export default defineExample({
     },
     {
       label: 'Length of (1, 1)',
-      unit: '',
       exact: Math.sqrt(2),
       tolerance: { absolute: 5e-7 },
       at: { time: 0 },
@@ -92,7 +89,6 @@ export default defineExample({
     },
     {
       label: 'Its dot product with itself, the square of the length',
-      unit: '',
       exact: 2,
       tolerance: { absolute: 0 },
       at: { time: 0 },

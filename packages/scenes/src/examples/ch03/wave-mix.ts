@@ -1,5 +1,5 @@
 import { exp, sin } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { graphOf, largestOf, type RealFunction } from '../support/functions.ts';
 import { emptyWorld } from '../support/read.ts';
@@ -26,15 +26,10 @@ export default defineExample({
   duration: 1440 / DEGREES_PER_SECOND,
   ends: true,
   parameters: {
-    wave: {
-      label: 'Wave',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 3,
-      integer: true,
-      choices: CHOICES.map(({ name }) => name),
-    },
+    wave: choiceOf(
+      'Wave',
+      CHOICES.map(({ name }) => name),
+    ),
   },
   presets: CHOICES.slice(1).map(({ name }, i) => ({ label: name, values: { wave: i + 1 } })),
   build: () => ({ world: emptyWorld(), dt: 1 / 60 }),
@@ -57,7 +52,6 @@ export default defineExample({
     {
       // sin a + sin b = 2 sin((a + b)/2) cos((a − b)/2).
       label: 'Largest difference of the beats and 2 sin 1.25x cos 0.25x',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },
@@ -65,7 +59,6 @@ export default defineExample({
     },
     {
       label: 'The wave that dies away at 450°, exp(−0.9)',
-      unit: '',
       exact: 0.4065697,
       tolerance: { absolute: 1e-6 },
       at: { time: 0 },

@@ -14,7 +14,7 @@ export default defineExample({
   duration: 10,
   parameters: {
     speed: { label: 'Speed to the right', unit: 'px/s', initial: 25, min: 0, max: 60 },
-    balls: { label: 'Number of blue balls', unit: '', initial: 10, min: 0, max: 40, integer: true },
+    balls: { label: 'Number of blue balls', initial: 10, min: 0, max: 40, integer: true },
   },
   build({ speed, balls }: ValuesOf<'speed' | 'balls'>, { seed, integrator = velocityVerlet }: BuildOptions) {
     const world = createPhysicsWorld({ capacity: 64, integrator });
@@ -55,7 +55,6 @@ export default defineExample({
   checks: [
     {
       label: 'Balls that are drawn',
-      unit: '',
       exact: ({ balls }) => balls + 1,
       tolerance: { absolute: 0 },
       at: { time: 0 },

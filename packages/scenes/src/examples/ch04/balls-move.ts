@@ -14,7 +14,7 @@ export default defineExample({
     'Ten balls start in the middle with random velocities. Whoever is fast is far out: at any time each ball is at the distance v t. The galaxies of the universe do much the same, and so one can find out when they all were in one place.',
   duration: 10,
   parameters: {
-    balls: { label: 'Number of balls', unit: '', initial: 10, min: 2, max: 60, integer: true },
+    balls: { label: 'Number of balls', initial: 10, min: 2, max: 60, integer: true },
     speed: { label: 'Largest velocity per axis', unit: 'px/s', initial: 10, min: 2, max: 20 },
   },
   presets: [{ label: 'A swarm', values: { balls: 60, speed: 20 } }],

@@ -80,7 +80,6 @@ export default defineExample({
       exact: ({ boat }) => BANK / boat,
       tolerance: { relative: 1e-9 },
       at: { event: ({ world, ball }) => positionOf(world, ball).y - BANK },
-      measure: ({ world }) => world.time,
     },
   ],
   tryThis: [

@@ -88,7 +88,6 @@ export default defineExample({
     },
     {
       label: '(v² − u²)/(2 a s)',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-12 },
       at: { time: 2 },
@@ -99,7 +98,6 @@ export default defineExample({
     },
     {
       label: '½ (u + v) t/s',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-12 },
       at: { time: 2 },

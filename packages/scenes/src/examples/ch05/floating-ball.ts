@@ -62,7 +62,6 @@ export default defineExample({
       exact: 5.439,
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Mean depth of the bob in five periods',

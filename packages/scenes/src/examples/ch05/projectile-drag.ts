@@ -106,7 +106,6 @@ export default defineExample({
       exact: 10 * log(1.6),
       tolerance: { absolute: 1e-3 },
       at: { event: ({ world, ball }) => velocityOf(world, ball).y },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'y of the apex',

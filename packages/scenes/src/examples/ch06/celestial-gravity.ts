@@ -38,7 +38,7 @@ export default defineExample({
   duration: 8,
   parameters: {
     height: { label: 'Height', unit: 'm', initial: 10, min: 2, max: 12 },
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.6, min: 0, max: 0.95 },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.6, min: 0, max: 0.95 },
   },
   build({ height, restitution }: ValuesOf<'height' | 'restitution'>, { integrator = velocityVerlet }: BuildOptions) {
     // Gravity of its own for each ball: a force over the whole column in which it falls.
@@ -95,7 +95,6 @@ export default defineExample({
     }),
     ...[0, 1, 3].map((at) => ({
       label: `Fall time on ${BODIES[at].name}, in units of √(2h/g)`,
-      unit: '',
       exact: 1,
       // A step of 1/240 s in the shortest of these times.
       tolerance: { absolute: 5e-3 },

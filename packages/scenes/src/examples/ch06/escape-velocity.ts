@@ -19,8 +19,8 @@ export default defineExample({
     'Two rockets are shot straight away from a sun. At the escape velocity the energy of motion just pays for the whole way out. The one with a little more never comes back, and keeps a rest of its speed for ever; the one with a little less stops very far out, and falls back.',
   duration: 900,
   parameters: {
-    fast: { label: 'Orange: share of escape velocity', unit: '', initial: 1.01, min: 1, max: 1.3 },
-    slow: { label: 'Blue: share of escape velocity', unit: '', initial: 0.9, min: 0.3, max: 0.99 },
+    fast: { label: 'Orange: share of escape velocity', initial: 1.01, min: 1, max: 1.3 },
+    slow: { label: 'Blue: share of escape velocity', initial: 0.9, min: 0.3, max: 0.99 },
   },
   presets: [{ label: 'One per cent less', values: { slow: 0.99 } }],
   build({ fast, slow }, { integrator = rungeKutta4 }) {

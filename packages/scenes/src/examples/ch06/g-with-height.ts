@@ -16,7 +16,7 @@ export default defineExample({
   about:
     'Above the ground gravity becomes weaker with the square of the distance from the centre. In a deep shaft it becomes weaker, too: the shells above you pull to all sides and cancel, and in the very centre nothing is left. The dot is a stone that falls through a tunnel across the whole Earth and on to the other side.',
   duration: 30,
-  parameters: { start: { label: 'Start, in radii of the Earth', unit: '', initial: 1, min: 0.2, max: 3 } },
+  parameters: { start: { label: 'Start, in radii of the Earth', initial: 1, min: 0.2, max: 3 } },
   presets: [
     { label: 'From far above', values: { start: 3 } },
     { label: 'Deep in the shaft', values: { start: 0.5 } },
@@ -63,7 +63,6 @@ export default defineExample({
       exact: (2 * Math.PI) / Math.sqrt(G0),
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, ball }) => positionOf(world, ball).y, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest speed in the centre, √(g₀ R)',

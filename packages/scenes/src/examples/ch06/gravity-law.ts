@@ -61,7 +61,6 @@ export default defineExample({
     },
     {
       label: 'Force at 4 m over that at 2 m',
-      unit: '',
       exact: 0.25,
       tolerance: { relative: 1e-4 },
       at: { time: DT },
@@ -69,7 +68,6 @@ export default defineExample({
     },
     {
       label: 'Both forces together, as a share of one',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-15 },
       at: { time: DT },

@@ -85,7 +85,6 @@ export default defineExample({
         from: 1,
         to: 2,
       },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest distance',

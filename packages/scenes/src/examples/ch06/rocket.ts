@@ -13,6 +13,7 @@ import {
 import { teleport } from '../../teleport.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
+import { held } from '../support/held.ts';
 import { distanceBetween, positionOf, speedOf, velocityOf } from '../support/read.ts';
 
 const PLANET = { x: 400, y: 400 };
@@ -58,6 +59,10 @@ function control(world: PhysicsWorld, rocket: number, state: ThrusterState): voi
   });
 }
 
+function push({ state }: { readonly state: ThrusterState }, side: number): void {
+  state.side = side;
+}
+
 export default defineExample({
   id: 'ch06-rocket',
   title: 'Launch of a rocket',
@@ -69,7 +74,7 @@ export default defineExample({
   parameters: {
     exhaust: { label: 'Speed of the exhaust', unit: 'px/s', initial: 200, min: 200, max: 300 },
     fuel: { label: 'Fuel', unit: 'kg', initial: 3.5, min: 1, max: 6 },
-    gravity: { label: 'Gravity of the planet', unit: '', initial: 1, min: 0, max: 1 },
+    gravity: { label: 'Gravity of the planet', initial: 1, min: 0, max: 1 },
   },
   presets: [
     { label: 'Fast enough to escape', values: { exhaust: 300 } },
@@ -131,20 +136,8 @@ export default defineExample({
     };
   },
   actions: {
-    left: {
-      label: '←',
-      about: 'push to the left',
-      key: 'arrowleft',
-      press: ({ state }) => void Object.assign(state, { side: -1 }),
-      release: ({ state }) => void Object.assign(state, { side: 0 }),
-    },
-    right: {
-      label: '→',
-      about: 'push to the right',
-      key: 'arrowright',
-      press: ({ state }) => void Object.assign(state, { side: 1 }),
-      release: ({ state }) => void Object.assign(state, { side: 0 }),
-    },
+    left: held('←', 'arrowleft', 'push to the left', push, -1),
+    right: held('→', 'arrowright', 'push to the right', push),
   },
   plots: [
     {
@@ -165,7 +158,6 @@ export default defineExample({
       exact: ({ fuel }) => fuel / 0.5,
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, rocket }) => 1e-9 - world.components.Engine.fuel[rocket] },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Height when it is gone',
@@ -193,7 +185,6 @@ export default defineExample({
     },
     {
       label: 'Thrust by weight at lift-off',
-      unit: '',
       exact: 1,
       tolerance: { relative: 1e-3 },
       at: { time: DT },
@@ -214,7 +205,6 @@ export default defineExample({
     {
       // Momentum of rocket and exhaust: m dv = -v_e dm, summed up to the logarithm.
       label: 'The same by its exact value, 200 ln(10/6.5)',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-6 },
       at: { time: 8 },

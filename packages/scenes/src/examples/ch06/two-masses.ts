@@ -95,7 +95,6 @@ export default defineExample({
       ...orbit,
       exact: period,
       at: { event: ({ parting }) => parting(), from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest distance',
@@ -126,7 +125,6 @@ export default defineExample({
       label: 'Period at rest together',
       exact: 5.227,
       at: { event: ({ parting }) => parting(), from: 1, to: 2 },
-      measure: ({ world }) => world.time,
       preset: 'At rest together',
     },
     {
@@ -152,7 +150,6 @@ export default defineExample({
       label: 'Period of equal masses',
       exact: 19.635,
       at: { event: ({ parting }) => parting(), from: 1, to: 2 },
-      measure: ({ world }) => world.time,
       preset: 'Equal masses',
     },
   ],

@@ -2,13 +2,14 @@ import {
   createPhysicsWorld,
   lift,
   log,
+  type PhysicsWorld,
   planeSupport,
   quadraticDrag,
   spawn,
   thrust,
   uniformGravity,
 } from '@principia/physics';
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
 import { atanh, tanh } from '../support/hyperbolic.ts';
@@ -32,6 +33,12 @@ const OUTLINE: readonly (readonly [from: Point, to: Point, width: number])[] = [
   [{ x: 4, y: 3 }, { x: -12, y: -1 }, 4],
 ];
 
+/** The first step after which it climbs. */
+const TAKE_OFF = {
+  event: ({ world, plane }: { readonly world: PhysicsWorld; readonly plane: number }) =>
+    velocityOf(world, plane).y - 1e-9,
+};
+
 export default defineExample({
   id: 'ch07-airplane',
   title: 'An aeroplane takes off',
@@ -46,7 +53,7 @@ export default defineExample({
     wing: { label: 'Lift coefficient k', unit: 'kg/px', initial: 0.025, min: 0.024, max: 0.06 },
   },
   presets: [{ label: 'A stronger engine', values: { push: 8 } }],
-  build({ push, wing }, options) {
+  build({ push, wing }: Values, options: BuildOptions) {
     const forces = [uniformGravity({ y: -GRAVITY }), thrust(), quadraticDrag(), lift(), planeSupport()];
     const world = createPhysicsWorld({ capacity: 4, forces, ...options });
     const position = { x: 50 };
@@ -110,8 +117,7 @@ export default defineExample({
       unit: 's',
       exact: takeOffTime,
       tolerance: { relative: 0.01 },
-      at: { event: ({ world, plane }) => velocityOf(world, plane).y - 1e-9 },
-      measure: ({ world }) => world.time,
+      at: TAKE_OFF,
     },
     {
       label: 'Length of runway used',
@@ -119,7 +125,7 @@ export default defineExample({
       // x = ln cosh(k v_T t)/k, with cosh = 1/√(1 − tanh²).
       exact: (values) => -log(1 - (GRAVITY * DRAG) / (values.wing * values.push)) / (2 * DRAG),
       tolerance: { relative: 0.01 },
-      at: { event: ({ world, plane }) => velocityOf(world, plane).y - 1e-9 },
+      at: TAKE_OFF,
       measure: ({ world, plane }) => positionOf(world, plane).x - 50,
     },
     {
@@ -127,7 +133,7 @@ export default defineExample({
       unit: 'px/s',
       exact: takeOffSpeed,
       tolerance: { relative: 0.01 },
-      at: { event: ({ world, plane }) => velocityOf(world, plane).y - 1e-9 },
+      at: TAKE_OFF,
       measure: ({ world, plane }) => velocityOf(world, plane).x,
     },
   ],

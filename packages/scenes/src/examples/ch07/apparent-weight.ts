@@ -71,7 +71,6 @@ export default defineExample({
   checks: [
     {
       label: 'Part of the floating cube under water, ρ/ρ_water',
-      unit: '',
       exact: ({ light }) => light,
       tolerance: { relative: 1e-6 },
       at: { time: 60 },

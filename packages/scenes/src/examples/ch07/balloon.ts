@@ -10,9 +10,10 @@ import {
   spawn,
   uniformGravity,
 } from '@principia/physics';
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
+import { held } from '../support/held.ts';
 import { tanh } from '../support/hyperbolic.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
@@ -30,7 +31,7 @@ const terminal = (values: Values) => Math.sqrt(lift(values) / values.drag);
 const speedAt = (t: number, values: Values) =>
   values.drag === 0 ? lift(values) * t : terminal(values) * tanh((lift(values) / terminal(values)) * t);
 
-function turn(burner: { change: number }, rate: number): void {
+function heat({ burner }: { readonly burner: { change: number } }, rate: number): void {
   burner.change = rate;
 }
 
@@ -47,7 +48,7 @@ export default defineExample({
     drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.01, min: 0, max: 0.05 },
   },
   presets: [{ label: 'No drag', values: { drag: 0 } }],
-  build({ density, drag }, options) {
+  build({ density, drag }: Values, options: BuildOptions) {
     const air = { density: AIR, gravity: { y: GRAVITY } };
     const forces = [uniformGravity({ y: GRAVITY }), buoyancy(air), quadraticDrag()];
     const walls = [boxWalls({ max: { y: GROUND } })];
@@ -69,7 +70,8 @@ export default defineExample({
       if (burner.change !== 0) world.components.Hull.volume[balloon] = 1 / burner.density;
     });
     const height = () => position.y - positionOf(world, balloon).y;
-    return { world, dt: 1 / 60, balloon, burner, height };
+    const rise = () => -velocityOf(world, balloon).y;
+    return { world, dt: 1 / 60, balloon, burner, height, rise };
   },
   picture({ world, balloon, burner }) {
     const at = () => positionOf(world, balloon);
@@ -99,26 +101,14 @@ export default defineExample({
     };
   },
   actions: {
-    up: {
-      label: '▲',
-      about: 'heat the air: its density falls',
-      key: 'arrowup',
-      press: ({ burner }) => turn(burner, -RATE),
-      release: ({ burner }) => turn(burner, 0),
-    },
-    down: {
-      label: '▼',
-      about: 'cool the air: its density rises',
-      key: 'arrowdown',
-      press: ({ burner }) => turn(burner, RATE),
-      release: ({ burner }) => turn(burner, 0),
-    },
+    up: held('▲', 'arrowup', 'heat the air: its density falls', heat, -RATE),
+    down: held('▼', 'arrowdown', 'cool the air: its density rises', heat, RATE),
   },
   plots: [
     {
       title: 'Upward speed',
       y: { label: 'v, px/s' },
-      series: [{ label: 'stepped', value: ({ world, balloon }) => -velocityOf(world, balloon).y, exact: speedAt }],
+      series: [{ label: 'stepped', value: ({ rise }) => rise(), exact: speedAt }],
     },
     { title: 'Height', y: { label: 'h, px' }, series: [{ label: 'balloon', value: ({ height }) => height() }] },
   ],
@@ -129,7 +119,7 @@ export default defineExample({
       exact: lift,
       tolerance: { relative: 1e-3 },
       at: { time: 0.1 },
-      measure: ({ world, balloon }) => -velocityOf(world, balloon).y / world.time,
+      measure: ({ world, rise }) => rise() / world.time,
     },
     {
       label: 'Speed after 10 s',
@@ -137,7 +127,7 @@ export default defineExample({
       exact: 7.0685,
       tolerance: { relative: 1e-3 },
       at: { time: 10 },
-      measure: ({ world, balloon }) => -velocityOf(world, balloon).y,
+      measure: ({ rise }) => rise(),
     },
     {
       label: 'Speed after 40 s; the limit is √(a m/k) = 9.5346',
@@ -145,7 +135,7 @@ export default defineExample({
       exact: (values) => speedAt(40, values),
       tolerance: { relative: 1e-3 },
       at: { time: 40 },
-      measure: ({ world, balloon }) => -velocityOf(world, balloon).y,
+      measure: ({ rise }) => rise(),
     },
     {
       label: 'Height after 40 s, (m/k) ln cosh(a t/v)',

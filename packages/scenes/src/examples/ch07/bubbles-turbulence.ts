@@ -31,7 +31,7 @@ export default defineExample({
   parameters: {
     mean: { label: 'Mean wind', unit: 'px/s', initial: 20, min: -60, max: 60 },
     spread: { label: 'Largest gust', unit: 'px/s', initial: 500, min: 0, max: 800 },
-    count: { label: 'Bubbles', unit: '', initial: 10, min: 1, max: 100, integer: true },
+    count: { label: 'Bubbles', initial: 10, min: 1, max: 100, integer: true },
   },
   presets: [{ label: 'A breeze', values: { spread: 60 } }],
   build({ mean, spread, count }, { seed, ...options }) {

@@ -37,7 +37,7 @@ export default defineExample({
   duration: 60,
   parameters: {
     wind: { label: 'Wind', unit: 'px/s', initial: 40, min: -60, max: 60 },
-    count: { label: 'Bubbles', unit: '', initial: 10, min: 1, max: 100, integer: true },
+    count: { label: 'Bubbles', initial: 10, min: 1, max: 100, integer: true },
   },
   presets: [{ label: 'Still air', values: { wind: 0 } }],
   build({ wind, count }, { seed, ...options }): Run {

@@ -88,11 +88,9 @@ export default defineExample({
       exact: 8.6,
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Depth of rest: two thirds under water',
-      unit: '',
       exact: 2 / 3,
       tolerance: { relative: 0.005 },
       at: { until: 5 * 8.6, take: 'mean' },

@@ -24,9 +24,9 @@ export default defineExample({
     'A block lies on a slope. Friction can hold it as long as the slope, tan θ, is at most the coefficient of static friction. Here both are 0.25: the block stays, exactly at the limit. Once it slides, the smaller kinetic friction acts, and it goes faster and faster with a = g (sin θ − μ cos θ).',
   duration: 45,
   parameters: {
-    slope: { label: 'Slope, tan θ', unit: '', initial: 0.25, min: 0.05, max: 0.6 },
-    still: { label: 'Static friction', unit: '', initial: 0.25, min: 0, max: 0.6 },
-    moving: { label: 'Kinetic friction', unit: '', initial: 0.2, min: 0, max: 0.6 },
+    slope: { label: 'Slope, tan θ', initial: 0.25, min: 0.05, max: 0.6 },
+    still: { label: 'Static friction', initial: 0.25, min: 0, max: 0.6 },
+    moving: { label: 'Kinetic friction', initial: 0.2, min: 0, max: 0.6 },
   },
   presets: [
     { label: 'A little too smooth', values: { still: 0.24 } },
@@ -98,7 +98,6 @@ export default defineExample({
       exact: (values) => Math.sqrt((2 * LENGTH) / slidingAcceleration(values)),
       tolerance: { relative: 1e-6 },
       at: { event: ({ distance }) => distance() - LENGTH },
-      measure: ({ world }) => world.time,
       preset: 'A little too smooth',
     },
     {

@@ -16,7 +16,7 @@ export default defineExample({
   duration: 30,
   parameters: {
     strength: { label: 'Strength k', unit: '1/s²', initial: 0.25, min: 0.02, max: 2 },
-    count: { label: 'Leaves', unit: '', initial: 60, min: 1, max: MAX_COUNT, integer: true },
+    count: { label: 'Leaves', initial: 60, min: 1, max: MAX_COUNT, integer: true },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 20, min: 0, max: 60 },
   },
   presets: [{ label: 'All from rest', values: { speed: 0 } }],

@@ -69,7 +69,6 @@ export default defineExample({
       exact: ({ stiffness, mass }) => 2 * Math.PI * Math.sqrt(mass / stiffness),
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, far }) => positionOf(world, far).x - CENTRE.x, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Period of the near ball',
@@ -77,7 +76,6 @@ export default defineExample({
       exact: ({ stiffness, mass }) => 2 * Math.PI * Math.sqrt(mass / stiffness),
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, near }) => positionOf(world, near).x - CENTRE.x, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'How far the ball passes from the middle',
@@ -97,7 +95,6 @@ export default defineExample({
       exact: 2 * Math.PI,
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, far }) => positionOf(world, far).y - CENTRE.y, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
       preset: 'Pushed sideways',
     },
   ],

@@ -116,7 +116,6 @@ export default defineExample({
       exact: 3.162,
       tolerance: { relative: 0.005 },
       at: { event: ({ world, jumper }) => positionOf(world, jumper).y - 150 },
-      measure: ({ world }) => world.time,
       preset: 'No drag',
     },
     {

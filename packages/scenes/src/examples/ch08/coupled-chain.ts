@@ -9,7 +9,7 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { positionOf } from '../support/read.ts';
 
@@ -37,15 +37,7 @@ export default defineExample({
   parameters: {
     swing: { label: 'Swing of the support', unit: 'px', initial: 100, min: 0, max: 150 },
     damping: { label: 'Damping c', unit: 'kg/s', initial: 0.5, min: 0, max: 2 },
-    mode: {
-      label: 'Start',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 6,
-      integer: true,
-      choices: ['aslant', ...MODES.map((mode) => `mode ${mode}`)],
-    },
+    mode: choiceOf('Start', ['aslant', ...MODES.map((mode) => `mode ${mode}`)]),
   },
   presets: [
     { label: 'Support at rest', values: { swing: 0 } },
@@ -128,7 +120,6 @@ export default defineExample({
       exact: (2 * Math.PI) / frequency(mode),
       tolerance: { relative: 0.005 },
       at: { event: ({ world, balls }: Run) => positionOf(world, balls[5]).y - RESTS[5], from: 1, to: 2 },
-      measure: ({ world }: Run) => world.time,
       preset: `Normal mode ${mode}`,
     })),
   ],

@@ -75,7 +75,6 @@ export default defineExample({
       exact: 1.993156,
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, ball }) => positionOf(world, ball).x - CENTRE, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Displacement after 10 s',
@@ -87,7 +86,6 @@ export default defineExample({
     },
     {
       label: 'Amplitude after one period, exp(−ζ ω T) of the first',
-      unit: '',
       exact: 0.607569,
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, ball }) => velocityOf(world, ball).x },

@@ -1,13 +1,15 @@
 import { createPhysicsWorld, quadraticDrag, rgba, spawn, springs, uniformGravity } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
 
 const ANCHOR = { x: 350, y: 50 };
-/** A second figure, without drag, bounces a little about the height of rest. */
+/** A second figure, without drag, bounces or swings a little about the place of rest. */
 const OTHER = { x: 600, y: 50 };
 const [LENGTH, GRAVITY] = [200, 20];
+/** How far that figure is from there at the start, px. */
+const SMALL = 4;
 
 export default defineExample({
   id: 'ch08-drag-spring',
@@ -20,9 +22,13 @@ export default defineExample({
   parameters: {
     stiffness: { label: 'Stiffness k', unit: 'N/m', initial: 1, min: 0.5, max: 10 },
     drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.1, min: 0, max: 1 },
+    other: choiceOf('The second figure', ['bounces', 'swings']),
   },
-  presets: [{ label: 'No drag', values: { drag: 0 } }],
-  build({ stiffness, drag }, options) {
+  presets: [
+    { label: 'No drag', values: { drag: 0 } },
+    { label: 'A small swing', values: { other: 1 } },
+  ],
+  build({ stiffness, drag, other }, options) {
     const forces = [uniformGravity({ y: GRAVITY }), quadraticDrag(), springs()];
     const world = createPhysicsWorld({ capacity: 10, forces, ...options });
     const hang = (anchor: { x: number; y: number }, position: { x: number; y: number }, quadratic: number) => {
@@ -34,15 +40,16 @@ export default defineExample({
     };
     const rest = ANCHOR.y + LENGTH + GRAVITY / stiffness;
     const figure = hang(ANCHOR, { x: 300, y: 200 }, drag);
-    const bouncing = hang(OTHER, { x: OTHER.x, y: rest + 4 }, 0);
-    return { world, dt: 1 / 60, figure, bouncing, rest };
+    const start = other === 1 ? { x: OTHER.x + SMALL, y: rest } : { x: OTHER.x, y: rest + SMALL };
+    const free = hang(OTHER, start, 0);
+    return { world, dt: 1 / 60, figure, free, rest };
   },
-  picture({ world, figure, bouncing, rest }) {
+  picture({ world, figure, free, rest }) {
     const part = (body: number, x: number, y: number) => () => ({
       x: positionOf(world, body).x + x,
       y: positionOf(world, body).y + y,
     });
-    const limbs = [figure, bouncing].flatMap((body) =>
+    const limbs = [figure, free].flatMap((body) =>
       [
         [-8, 16, -14, 36],
         [8, 16, 14, 36],
@@ -60,7 +67,7 @@ export default defineExample({
       view: { minX: 50, maxX: 720, minY: 20, maxY: 420 },
       springs: { coils: 20 },
       lines: [...limbs, { from: { x: 50, y: rest }, to: { x: 720, y: rest }, color: COLORS.ground, width: 1 }],
-      dots: [figure, bouncing].map((body) => ({ at: part(body, 0, -28), radius: 9, color: COLORS.orange })),
+      dots: [figure, free].map((body) => ({ at: part(body, 0, -28), radius: 9, color: COLORS.orange })),
       trails: [{ body: figure, length: 600 }],
       arrows: [velocityArrow(world, figure, 0.6)],
       labels: [{ at: { x: 90, y: rest - 10 }, text: 'rest', color: COLORS.grey }],
@@ -72,7 +79,7 @@ export default defineExample({
       y: { label: 'y, px' },
       series: [
         { label: 'dragged', value: ({ world, figure }) => positionOf(world, figure).y },
-        { label: 'without drag', value: ({ world, bouncing }) => positionOf(world, bouncing).y },
+        { label: 'without drag', value: ({ world, free }) => positionOf(world, free).y },
       ],
     },
     {
@@ -85,10 +92,18 @@ export default defineExample({
     {
       label: 'Period of a small bounce, 2π √(m/k)',
       unit: 's',
-      exact: ({ stiffness }) => (2 * Math.PI) / Math.sqrt(stiffness),
+      exact: 2 * Math.PI,
       tolerance: { relative: 1e-3 },
-      at: { event: ({ world, bouncing, rest }) => positionOf(world, bouncing).y - rest, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
+      at: { event: ({ world, free, rest }) => positionOf(world, free).y - rest, from: 1, to: 2 },
+    },
+    {
+      label: 'Period of a small swing, that of a pendulum of the length at rest, 2π √((L + mg/k)/g)',
+      unit: 's',
+      exact: ({ stiffness }) => 2 * Math.PI * Math.sqrt((LENGTH + GRAVITY / stiffness) / GRAVITY),
+      // The spring gives way, and turns by up to θ = 4/220: both shift the period by the order of θ², 3.3e-4.
+      tolerance: { relative: 1e-3 },
+      at: { event: ({ world, free }) => positionOf(world, free).x - OTHER.x, from: 1, to: 2 },
+      preset: 'A small swing',
     },
     {
       label: 'Height of rest, 50 + L + mg/k: the mean of six bounces',
@@ -96,7 +111,7 @@ export default defineExample({
       exact: 270,
       tolerance: { relative: 1e-3 },
       at: { until: 12 * Math.PI, take: 'mean' },
-      measure: ({ world, bouncing }) => positionOf(world, bouncing).y,
+      measure: ({ world, free }) => positionOf(world, free).y,
     },
     {
       label: 'Height of the dragged figure after 60 s',
@@ -109,6 +124,7 @@ export default defineExample({
   ],
   tryThis: [
     'Pull the figure far to the side and release it: it swings about three times more slowly than it bounces.',
+    'Choose “A small swing”: the second figure swings like a stiff pendulum, once in 20.84 s.',
     'Make the spring ten times stiffer: the bounce becomes fast, the swing hardly changes.',
   ],
 });

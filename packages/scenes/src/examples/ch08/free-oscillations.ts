@@ -88,7 +88,6 @@ export default defineExample({
     },
     {
       label: 'Largest error of the energy, ½ ω dt',
-      unit: '',
       exact: DT / 2,
       tolerance: { relative: 0.02 },
       at: { until: 20, take: 'largest' },
@@ -96,7 +95,6 @@ export default defineExample({
     },
     {
       label: 'Largest error of the energy, ω² dt²/4',
-      unit: '',
       exact: (DT * DT) / 4,
       tolerance: { relative: 0.02 },
       at: { until: 20, take: 'largest' },
@@ -105,7 +103,6 @@ export default defineExample({
     },
     {
       label: 'Energy lost in 20 s, ω⁶ dt⁵ t/72',
-      unit: '',
       exact: (20 * DT * DT * DT * DT * DT) / 72,
       tolerance: { relative: 0.02 },
       at: { time: 20 },

@@ -68,7 +68,6 @@ export default defineExample({
       exact: ({ omega }) => (2 * Math.PI) / omega,
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, ball }) => positionOf(world, ball).y, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Speed after 10 s, ω r',

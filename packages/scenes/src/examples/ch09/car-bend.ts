@@ -26,7 +26,7 @@ export default defineExample({
   duration: 48,
   parameters: {
     speed: { label: 'Speed', unit: 'px/s', initial: 10, min: 2, max: 40 },
-    friction: { label: 'Friction μ', unit: '', initial: 1, min: 0.1, max: 1.5 },
+    friction: { label: 'Friction μ', initial: 1, min: 0.1, max: 1.5 },
   },
   presets: [
     { label: 'Just slow enough', values: { speed: 27 } },
@@ -96,7 +96,6 @@ export default defineExample({
       tolerance: { absolute: 5e-4 },
       // The car starts on this line; it crosses it again at the end of the round.
       at: { event: ({ world, car }) => (world.time > 1 ? positionOf(world, car).y - CENTRE.y : -1), count: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest distance in 20 s at 27 px/s',

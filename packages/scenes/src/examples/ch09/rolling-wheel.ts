@@ -18,7 +18,7 @@ export default defineExample({
   duration: 14,
   ends: true,
   parameters: {
-    factor: { label: 'Speed, in units of ω R', unit: '', initial: 1, min: 0, max: 2.5 },
+    factor: { label: 'Speed, in units of ω R', initial: 1, min: 0, max: 2.5 },
     omega: { label: 'Angular speed ω', unit: 'rad/s', initial: 1, min: 0.2, max: 3 },
   },
   presets: [

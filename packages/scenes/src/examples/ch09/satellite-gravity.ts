@@ -89,7 +89,6 @@ export default defineExample({
       exact: 17.7715,
       tolerance: { absolute: 5e-5 },
       at: { event: ({ world, satellite }) => positionOf(world, satellite).y - EARTH.y, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Angular speed at 184.2016 px: that of the Earth',

@@ -66,7 +66,6 @@ export default defineExample({
       exact: ({ spin, ratio }) => (2 * Math.PI) / (spin * ratio),
       tolerance: { relative: 1e-6 },
       at: { event: ({ world, satellite }) => positionOf(world, satellite).y - EARTH.y, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest deviation from overhead in 40 s',

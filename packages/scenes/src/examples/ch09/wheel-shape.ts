@@ -19,7 +19,7 @@ export default defineExample({
     'A rim from 40 to 50 px and spokes at equal angles make a wheel. As all of the rim is far from the axle, it is hard to set in rotation: its moment of inertia is m (R² + r²)/2, nearly twice that of a full disc of the same mass. A torque turns it faster and faster.',
   duration: 6,
   parameters: {
-    spokes: { label: 'Spokes', unit: '', initial: 10, min: 2, max: 24, integer: true },
+    spokes: { label: 'Spokes', initial: 10, min: 2, max: 24, integer: true },
     torque: { label: 'Torque', unit: 'kg px²/s²', initial: 15_000, min: -40_000, max: 40_000 },
   },
   build({ torque, spokes: count }: ValuesOf<'spokes' | 'torque'>, options) {

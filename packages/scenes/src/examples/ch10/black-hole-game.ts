@@ -1,13 +1,21 @@
 import { keepState, rgba } from '@principia/physics';
 import { blackHole } from '../../black-hole.ts';
 import { BLACK_HOLE } from '../../black-hole-layout.ts';
-import { defineExample } from '../define-example.ts';
+import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
+import { held } from '../support/held.ts';
 import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
 
 /** Errors of the energy are judged outside this many radii of the holes. */
 const CLEARANCE = 2;
+
+interface Steered {
+  readonly steer: (x: number, y: number) => void;
+}
+
+const steerUp = ({ steer }: Steered, up: number) => steer(0, up);
+const steerRight = ({ steer }: Steered, right: number) => steer(right, 0);
 
 export default defineExample({
   id: 'ch10-black-hole-game',
@@ -18,12 +26,12 @@ export default defineExample({
     'Steer the ship past the black holes to the line at the top. Each hole is so heavy that light, which has 200 px/s here, just cannot escape from its rim; the ship is far slower. Let go of the keys and it falls, and keeps its energy, until it is swallowed or leaves. The whole game has rounds, lives and fuel.',
   duration: 20,
   parameters: {
-    count: { label: 'Black holes', unit: '', initial: 3, min: 1, max: 12, integer: true },
+    count: { label: 'Black holes', initial: 3, min: 1, max: 12, integer: true },
     push: { label: 'Push of an engine', unit: 'px/s²', initial: BLACK_HOLE.thrust, min: 1, max: 40 },
     start: { label: 'Speed upwards at the start', unit: 'px/s', initial: 60, min: 0, max: 150 },
   },
   presets: [{ label: 'Eight holes', values: { count: 8 } }],
-  build({ count, push, start }, { seed }) {
+  build({ count, push, start }: ValuesOf<'count' | 'push' | 'start'>, { seed }: BuildOptions) {
     const scene = blackHole.create({ seed, count });
     const { world, ship, holeIds, dt } = scene;
     const { Attractor, Collider, Velocity, Thrust, Appearance } = world.components;
@@ -81,34 +89,10 @@ export default defineExample({
     };
   },
   actions: {
-    up: {
-      label: '▲',
-      about: 'push upwards',
-      key: 'arrowup',
-      press: ({ steer }) => steer(0, 1),
-      release: ({ steer }) => steer(0, 0),
-    },
-    down: {
-      label: '▼',
-      about: 'push downwards',
-      key: 'arrowdown',
-      press: ({ steer }) => steer(0, -1),
-      release: ({ steer }) => steer(0, 0),
-    },
-    left: {
-      label: '◀',
-      about: 'push to the left',
-      key: 'arrowleft',
-      press: ({ steer }) => steer(-1, 0),
-      release: ({ steer }) => steer(0, 0),
-    },
-    right: {
-      label: '▶',
-      about: 'push to the right',
-      key: 'arrowright',
-      press: ({ steer }) => steer(1, 0),
-      release: ({ steer }) => steer(0, 0),
-    },
+    up: held('▲', 'arrowup', 'push upwards', steerUp),
+    down: held('▼', 'arrowdown', 'push downwards', steerUp, -1),
+    left: held('◀', 'arrowleft', 'push to the left', steerRight, -1),
+    right: held('▶', 'arrowright', 'push to the right', steerRight),
   },
   plots: [
     {
@@ -136,7 +120,6 @@ export default defineExample({
     },
     {
       label: 'Largest error of the energy of the first flight, outside two radii',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { time: 10 },

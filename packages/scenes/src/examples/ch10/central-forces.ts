@@ -1,7 +1,7 @@
 import { angularMomentum, atan2, createPhysicsWorld, powerLaw, rgba, rungeKutta4, spawn } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
 import type { Check } from '../check.ts';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 
@@ -40,7 +40,6 @@ function ranges(law: number, preset?: string): Check<Run, unknown>[] {
     exact: period,
     tolerance,
     at: { event, from: 1, to: 2 },
-    measure: ({ world }) => world.time,
     ...about,
   };
   return [distance, time];
@@ -55,15 +54,10 @@ export default defineExample({
     'A force towards a centre that falls as 1/r draws a rosette: the nearest point moves on with every turn. Only two laws draw closed curves whatever the start, gravity and the spring; Bertrand proved that in 1873. The angular momentum stays the same under all of them.',
   duration: 90,
   parameters: {
-    law: {
-      label: 'Force as',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 2,
-      integer: true,
-      choices: LAWS.map(({ name }) => name),
-    },
+    law: choiceOf(
+      'Force as',
+      LAWS.map(({ name }) => name),
+    ),
     speed: { label: 'Speed at the start', unit: 'px/s', initial: 20, min: 10, max: 30 },
   },
   presets: [

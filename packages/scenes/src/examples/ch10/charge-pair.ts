@@ -1,5 +1,5 @@
 import { atan2, createPhysicsWorld, momentum, mutualCoulomb, rgba, rungeKutta4, spawn } from '@principia/physics';
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { lengthOf, positionOf, velocityOf } from '../support/read.ts';
@@ -28,7 +28,7 @@ export default defineExample({
     'Like charges push each other apart, ever faster, but never faster than 20 px/s, because the push fades with the distance. Opposite ones fall together in 7.85 s: slowly at first and then in a rush. The forces of the two are equal and opposite, so that the middle stays where it is.',
   duration: 60,
   parameters: {
-    opposite: { label: 'Charges', unit: '', initial: 0, min: 0, max: 1, integer: true, choices: ['like', 'opposite'] },
+    opposite: choiceOf('Charges', ['like', 'opposite']),
     charge: { label: 'Size of the charges', unit: 'C', initial: 1, min: 0.3, max: 2 },
     gap: { label: 'Distance at the start', unit: 'px', initial: 100, min: 40, max: 200 },
   },
@@ -95,7 +95,6 @@ export default defineExample({
       exact: (values) => fallTime(values, NEAR / values.gap),
       tolerance: { relative: 0.005 },
       at: { event: ({ distance }) => NEAR - distance() },
-      measure: ({ world }) => world.time,
       preset: 'Opposite charges',
     },
   ],

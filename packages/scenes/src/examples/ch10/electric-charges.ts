@@ -15,7 +15,7 @@ export default defineExample({
     'Blue charges push the three coloured bodies away, red ones pull them in. The force falls with the square of the distance, as gravity does, but it can do both. The white body has no charge: it feels nothing and flies straight on.',
   duration: 60,
   parameters: {
-    count: { label: 'Charges', unit: '', initial: 20, min: 1, max: 40, integer: true },
+    count: { label: 'Charges', initial: 20, min: 1, max: 40, integer: true },
     charge: { label: 'Largest charge', unit: 'C', initial: 5e5, min: 0, max: 1e6 },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 50, min: 0, max: 200 },
   },
@@ -64,7 +64,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest error of the energy of a flight',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 5e-3 },
       at: { time: 60 },

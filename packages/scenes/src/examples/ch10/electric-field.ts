@@ -1,6 +1,6 @@
 import { cos, createPhysicsWorld, electricField, rgba, rungeKutta4, sin, spawn } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS, type Point, pointsOf } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
@@ -70,13 +70,11 @@ export default defineExample({
   ends: true,
   parameters: {
     field: {
-      label: 'Field E',
+      ...choiceOf(
+        'Field E',
+        FIELDS.map(({ name }) => name),
+      ),
       unit: 'V/px',
-      initial: 0,
-      min: 0,
-      max: FIELDS.length - 1,
-      integer: true,
-      choices: FIELDS.map(({ name }) => name),
     },
     charge: { label: 'Charge q', unit: 'C', initial: 1, min: -2, max: 2 },
   },

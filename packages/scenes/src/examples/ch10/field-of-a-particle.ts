@@ -99,7 +99,6 @@ export default defineExample({
     },
     {
       label: 'Flow through a sphere about the mass, by 4π GM',
-      unit: '',
       exact: 1,
       tolerance: { relative: 1e-3 },
       at: { time: 0 },
@@ -107,7 +106,6 @@ export default defineExample({
     },
     {
       label: 'The same with the mass far from the middle of the sphere',
-      unit: '',
       exact: 1,
       tolerance: { relative: 1e-3 },
       at: { time: 0 },

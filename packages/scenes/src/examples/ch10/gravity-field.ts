@@ -13,7 +13,7 @@ export default defineExample({
     'Ten dark suns are scattered at random. Three comets fly among them, and a new one starts wherever one falls in or leaves. Each sun is so heavy that a comet needs 300 px/s to escape from its rim: the larger the sun, the more mass. Far from the rims a flight keeps its energy to a thousandth.',
   duration: 60,
   parameters: {
-    count: { label: 'Suns', unit: '', initial: 10, min: 1, max: 20, integer: true },
+    count: { label: 'Suns', initial: 10, min: 1, max: 20, integer: true },
     rim: { label: 'Escape speed at the rims', unit: 'px/s', initial: 300, min: 50, max: 400 },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 50, min: 0, max: 200 },
   },
@@ -76,7 +76,6 @@ export default defineExample({
     },
     {
       label: 'Largest error of the energy of a flight, outside three radii',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { time: 60 },

@@ -93,7 +93,6 @@ export default defineExample({
       exact: 12.5664,
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, charge }) => positionOf(world, charge).x - START.x, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Speed after 100 s',
@@ -109,7 +108,6 @@ export default defineExample({
       exact: 31.416,
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, charge }) => positionOf(world, charge).x - START.x, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
       preset: 'A weaker field',
     },
     {

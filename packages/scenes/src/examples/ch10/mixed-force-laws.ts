@@ -21,7 +21,7 @@ export default defineExample({
   duration: 30,
   parameters: {
     moving: { label: 'Speed of the red centre', unit: '×', initial: 1, min: 0, max: 3 },
-    count: { label: 'Bodies', unit: '', initial: 50, min: 0, max: MAX_COUNT, integer: true },
+    count: { label: 'Bodies', initial: 50, min: 0, max: MAX_COUNT, integer: true },
   },
   presets: [{ label: 'All centres at rest', values: { moving: 0 } }],
   build({ moving, count }, { seed, integrator = rungeKutta4 }) {

@@ -96,7 +96,6 @@ export default defineExample({
       exact: 4.9469,
       tolerance: { absolute: 1e-4 },
       at: { event: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300, from: 1, to: 2 },
-      measure: ({ world }: Run) => world.time,
     },
     {
       label: 'How far it strays from the middle',

@@ -110,11 +110,9 @@ export default defineExample({
         from: 1,
         to: 2,
       },
-      measure: ({ world }: Run) => world.time,
     })),
     ...PLANETS.map(({ name, e }, i) => ({
       label: `Eccentricity of the ${name} planet after 30 s`,
-      unit: '',
       exact: e,
       tolerance: { absolute: 5.1e-5 },
       at: { time: 30 },

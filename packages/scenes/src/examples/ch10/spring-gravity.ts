@@ -23,7 +23,7 @@ export default defineExample({
     'Suppose gravity were twice as strong at twice the distance, like a spring. Then everything, from wherever and however fast it starts, is back after the same time, here 2π seconds. The cloud flies apart, turns itself inside out, and is whole again.',
   duration: 4 * PERIOD,
   parameters: {
-    count: { label: 'Bodies', unit: '', initial: 50, min: 1, max: MAX_COUNT, integer: true },
+    count: { label: 'Bodies', initial: 50, min: 1, max: MAX_COUNT, integer: true },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 50, min: 0, max: 300 },
   },
   presets: [{ label: 'All from rest', values: { speed: 0 } }],

@@ -22,7 +22,7 @@ export default defineExample({
   ends: true,
   parameters: {
     ...ENCOUNTER_PARAMETERS,
-    e: { label: 'Restitution e', unit: '', initial: 0.5, min: 0, max: 1 },
+    e: { label: 'Restitution e', initial: 0.5, min: 0, max: 1 },
   },
   presets: [{ label: 'They stay together', values: { e: 0 } }],
   build: (values: Values, options) => meetOnLine(values, options),

@@ -40,9 +40,9 @@ export default defineExample({
     'Nine balls start at random places, each with the velocity that would bring it to the middle after five seconds. They arrive all at once, and hit each other in one great tangle. However complicated that is, the sum of the momenta and the sum of the energies come out of it unchanged.',
   duration: 12,
   parameters: {
-    count: { label: 'Balls', unit: '', initial: 9, min: 2, max: MAX_COUNT, integer: true },
+    count: { label: 'Balls', initial: 9, min: 2, max: MAX_COUNT, integer: true },
     radius: { label: 'Radius', unit: 'px', initial: 15, min: 4, max: 20 },
-    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
   },
   presets: [{ label: 'Sticky balls', values: { restitution: 0 } }],
   build({ count, radius, restitution }, { seed, ...options }) {
@@ -97,7 +97,6 @@ export default defineExample({
     },
     {
       label: 'Energy at the end, as a fraction of that at the start',
-      unit: '',
       exact: 1,
       tolerance: { relative: 1e-10 },
       at: { time: 10 },
@@ -105,7 +104,6 @@ export default defineExample({
     },
     {
       label: 'Largest difference of a velocity if the balls are counted from the last to the first, by the mean speed',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0.01 },
       at: { time: 10 },

@@ -1,5 +1,5 @@
 import { createPhysicsWorld, energy, momentum, particleContacts, rgba, spawn } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
@@ -34,16 +34,11 @@ export default defineExample({
   duration: 3,
   ends: true,
   parameters: {
-    pair: {
-      label: 'Balls',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 2,
-      integer: true,
-      choices: PAIRS.map(({ name }) => name),
-    },
-    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+    pair: choiceOf(
+      'Balls',
+      PAIRS.map(({ name }) => name),
+    ),
+    restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
   },
   presets: [
     { label: 'Equal balls, aslant', values: { pair: 1 } },
@@ -134,7 +129,6 @@ export default defineExample({
     },
     {
       label: 'Cosine of the angle between the two ways, if one was at rest',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-12 },
       at: { time: 2.5 },

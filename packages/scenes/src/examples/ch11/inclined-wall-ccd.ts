@@ -17,8 +17,8 @@ export default defineExample({
   duration: 20,
   parameters: {
     speed: { label: 'Speed', unit: 'px/s', initial: 10_000, min: 100, max: 100_000, scale: 'log' },
-    restitution: { label: 'Restitution e', unit: '', initial: 0.6, min: 0, max: 1 },
-    count: { label: 'Balls', unit: '', initial: 1000, min: 1, max: 2000, integer: true },
+    restitution: { label: 'Restitution e', initial: 0.6, min: 0, max: 1 },
+    count: { label: 'Balls', initial: 1000, min: 1, max: 2000, integer: true },
   },
   presets: [{ label: 'Elastic walls', values: { restitution: 1 } }],
   build({ speed, restitution, count }, { seed, ...options }) {
@@ -50,7 +50,6 @@ export default defineExample({
   checks: [
     {
       label: 'Most balls on the wrong side at any time',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { until: 15, take: 'largest' },
@@ -58,7 +57,6 @@ export default defineExample({
     },
     {
       label: 'The same with elastic walls',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { until: 15, take: 'largest' },

@@ -20,7 +20,7 @@ export default defineExample({
     'A ball falls on an inclined wall. The wall turns round the part of the velocity across it and keeps the part along it, so the ball is thrown to the side. With a restitution below one the bounces become lower, until the ball slides.',
   duration: 8,
   parameters: {
-    restitution: { label: 'Restitution e', unit: '', initial: 0.8, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 0.8, min: 0, max: 1 },
     radius: { label: 'Radius of the ball', unit: 'px', initial: 15, min: 3, max: 40 },
     x: { label: 'Dropped at x', unit: 'px', initial: 100, min: 60, max: 600 },
   },

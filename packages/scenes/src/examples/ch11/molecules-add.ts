@@ -81,7 +81,6 @@ export default defineExample({
   checks: [
     {
       label: 'Molecules after 30.5 s: 5, and one every two seconds',
-      unit: '',
       exact: 20,
       tolerance: { absolute: 0 },
       at: { time: 30.5 },
@@ -89,7 +88,6 @@ export default defineExample({
     },
     {
       label: 'Energy of the gas by what all molecules brought along',
-      unit: '',
       exact: () => 1,
       tolerance: { relative: 1e-9 },
       at: { time: 45 },

@@ -17,7 +17,7 @@ export default defineExample({
     'Balls of different mass fly about in a box and hit each other and the walls, without loss. The heavy ones become slow and the light ones fast, until on average each has the same energy. That average is what we call temperature, and it is the same for all kinds of molecules in a gas.',
   duration: 300,
   parameters: {
-    count: { label: 'Molecules', unit: '', initial: 10, min: 2, max: MAX_COUNT, integer: true },
+    count: { label: 'Molecules', initial: 10, min: 2, max: MAX_COUNT, integer: true },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 50, min: 5, max: 200 },
     size: { label: 'Size of the molecules', unit: '×', initial: 1, min: 0.1, max: 1 },
   },
@@ -94,7 +94,6 @@ export default defineExample({
   checks: [
     {
       label: 'Change of the whole energy in 60 s',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-9 },
       at: { time: 60 },
@@ -110,7 +109,6 @@ export default defineExample({
     },
     {
       label: 'Mean energy of the light ones by that of all, over 300 s',
-      unit: '',
       exact: 1,
       tolerance: { relative: 0.1 },
       at: { until: 300, take: 'mean' },
@@ -120,7 +118,6 @@ export default defineExample({
     {
       // In two dimensions k T is the mean energy of a molecule, so that N k T is the energy of all.
       label: 'Pressure on the walls in 300 s by N k T/A',
-      unit: '',
       exact: 1,
       tolerance: { relative: 0.05 },
       at: { time: 300 },

@@ -15,9 +15,9 @@ export default defineExample({
     'Twenty small balls bounce in the room with the inclined walls for ten minutes, thousands of times each. None may leave, none may gain or lose energy. A program that repairs each bounce a little wrongly would be found out here.',
   duration: 600,
   parameters: {
-    count: { label: 'Balls', unit: '', initial: 20, min: 1, max: MAX_COUNT, integer: true },
+    count: { label: 'Balls', initial: 20, min: 1, max: MAX_COUNT, integer: true },
     radius: { label: 'Radius', unit: 'px', initial: 4, min: 1, max: 10 },
-    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
   },
   presets: [{ label: 'Dust', values: { count: MAX_COUNT, radius: 1 } }],
   build({ count, radius, restitution }, { seed, ...options }) {
@@ -60,7 +60,6 @@ export default defineExample({
   checks: [
     {
       label: 'Most balls outside at any time',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { until: 600, take: 'largest' },
@@ -68,7 +67,6 @@ export default defineExample({
     },
     {
       label: 'Largest change of the energy in ten minutes',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0.005 },
       at: { until: 600, take: 'largest' },

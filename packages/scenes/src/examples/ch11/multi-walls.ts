@@ -16,7 +16,7 @@ export default defineExample({
     'The ball falls on one wall after the other, round their ends as well. If all bounces are elastic it never comes to rest: what it loses in height it has as speed, and the sum stays. Two balls that start a hair apart soon go quite different ways.',
   duration: 60,
   parameters: {
-    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
     radius: { label: 'Radius', unit: 'px', initial: 12, min: 2, max: 16 },
     apart: { label: 'A second ball, further right by', unit: 'px', initial: 1e-3, min: 1e-6, max: 10, scale: 'log' },
   },
@@ -67,7 +67,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest change of the energy in 60 s, of m g · 310 px',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0.005 },
       at: { until: 60, take: 'largest' },

@@ -18,7 +18,7 @@ export default defineExample({
     'The wall turns round the part of the velocity that points into it, and leaves the part along it alone. So the ball leaves at the angle at which it came. A wall that is not quite elastic gives back only a part e of the speed, and a part e² of that energy.',
   duration: 6,
   parameters: {
-    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
   },
   presets: [{ label: 'Inelastic wall', values: { restitution: 0.8 } }],
   build({ restitution }, options) {

@@ -75,7 +75,6 @@ export default defineExample({
   checks: [
     {
       label: 'Normal of the wall, x',
-      unit: '',
       exact: 0.8,
       tolerance: { absolute: 1e-15 },
       at: { time: 0 },
@@ -83,7 +82,6 @@ export default defineExample({
     },
     {
       label: 'Normal of the wall, y',
-      unit: '',
       exact: -0.6,
       tolerance: { absolute: 1e-15 },
       at: { time: 0 },
@@ -91,7 +89,6 @@ export default defineExample({
     },
     {
       label: 'Normal times direction',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-13 },
       at: { time: 0 },

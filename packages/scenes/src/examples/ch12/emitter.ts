@@ -27,7 +27,7 @@ export default defineExample({
   duration: 12,
   parameters: {
     rate: { label: 'Particles a second', unit: '1/s', initial: 30, min: 5, max: 200 },
-    most: { label: 'At most', unit: '', initial: 120, min: 10, max: 1000, integer: true },
+    most: { label: 'At most', initial: 120, min: 10, max: 1000, integer: true },
     drag: { label: 'Drag coefficient', unit: 'kg/px', initial: DRAG, min: 0, max: 0.02 },
   },
   presets: [{ label: 'A cloud', values: { rate: 200, most: 1000, drag: 0.02 } }],
@@ -76,7 +76,6 @@ export default defineExample({
   checks: [
     {
       label: 'Particles after 2 s',
-      unit: '',
       exact: 60,
       tolerance: { absolute: 1 },
       at: { time: 2 },
@@ -84,7 +83,6 @@ export default defineExample({
     },
     {
       label: 'Particles after 10 s',
-      unit: '',
       exact: 120,
       tolerance: { absolute: 0 },
       at: { time: 10 },

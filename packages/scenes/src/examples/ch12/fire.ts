@@ -84,7 +84,6 @@ export default defineExample({
   checks: [
     {
       label: 'Flames that are visible, the rate times the life',
-      unit: '',
       exact: ({ rate, life }) => rate * life,
       tolerance: { absolute: 1 },
       at: { time: 10 },

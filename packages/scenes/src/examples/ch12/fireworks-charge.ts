@@ -19,7 +19,7 @@ export default defineExample({
   duration: 11,
   parameters: {
     held: { label: 'The first is held for', unit: 's', initial: 2.5, min: 0, max: 5.9 },
-    copies: { label: 'At once', unit: '', initial: 1, min: 1, max: COPIES, integer: true },
+    copies: { label: 'At once', initial: 1, min: 1, max: COPIES, integer: true },
   },
   presets: [
     { label: 'Twenty-five at once', values: { copies: COPIES } },
@@ -80,7 +80,6 @@ export default defineExample({
   checks: [
     {
       label: 'Sparks of the first burst, 2 for each whole second',
-      unit: '',
       exact: ({ held, copies }) => copies * sparksOf(held),
       tolerance: { absolute: 0 },
       at: { time: 1 },
@@ -88,7 +87,6 @@ export default defineExample({
     },
     {
       label: 'Born in all, on average of 25 that were held for 2.5 s',
-      unit: '',
       exact: 52,
       // Of 4 × 4 sparks half burst into 4: the deviation is 4 √8 for each of 25; three and a half standard errors.
       tolerance: { absolute: (3.5 * 4 * Math.sqrt(8)) / 5 },
@@ -98,7 +96,6 @@ export default defineExample({
     },
     {
       label: 'Born in all, on average of 25 that were held for 1.5 s',
-      unit: '',
       exact: 10,
       // Of 2 × 2 sparks half burst into 2: 2 (1/3 + 1/3) of them is the variance.
       tolerance: { absolute: (3.5 * 2 * Math.sqrt(4 / 3)) / 5 },
@@ -108,7 +105,6 @@ export default defineExample({
     },
     {
       label: 'Born if held for less than a second',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { time: 5 },

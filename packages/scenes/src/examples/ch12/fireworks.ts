@@ -14,8 +14,8 @@ export default defineExample({
     'Ten sparks glow for two to four seconds, and each then bursts into ten new ones. After six seconds no spark bursts any more. Ten become a hundred, and of those about half are in time to burst again: some six hundred in all, after ten seconds none.',
   duration: 11,
   parameters: {
-    count: { label: 'Sparks of a burst', unit: '', initial: 10, min: 1, max: 12, integer: true },
-    copies: { label: 'Fireworks at once', unit: '', initial: 1, min: 1, max: 9, integer: true },
+    count: { label: 'Sparks of a burst', initial: 10, min: 1, max: 12, integer: true },
+    copies: { label: 'Fireworks at once', initial: 1, min: 1, max: 9, integer: true },
   },
   presets: [
     { label: 'Small bursts', values: { count: 4 } },
@@ -47,7 +47,6 @@ export default defineExample({
   checks: [
     {
       label: 'Sparks at first',
-      unit: '',
       exact: ({ count, copies }) => copies * count,
       tolerance: { absolute: 0 },
       at: { time: 1 },
@@ -55,7 +54,6 @@ export default defineExample({
     },
     {
       label: 'Sparks born in all: 10 + 100, and 500 expected',
-      unit: '',
       exact: EXPECTED,
       // Three and a half standard deviations.
       tolerance: { absolute: 3.5 * DEVIATION },
@@ -64,7 +62,6 @@ export default defineExample({
     },
     {
       label: 'Born in all, on average of nine: 613 were counted in 300 others',
-      unit: '',
       exact: 613,
       // A third of that of one.
       tolerance: { absolute: (3.5 * DEVIATION) / 3 },
@@ -74,7 +71,6 @@ export default defineExample({
     },
     {
       label: 'Most at a time, on average of nine: 553 in 300 others',
-      unit: '',
       exact: 553,
       tolerance: { absolute: (3.5 * DEVIATION) / 3 },
       at: { until: 10.5, take: 'largest' },
@@ -83,7 +79,6 @@ export default defineExample({
     },
     {
       label: 'Sparks after 10.1 s: the last was born before 6 s and lived 4 s at most',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { time: 10.1 },

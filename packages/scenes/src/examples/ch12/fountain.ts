@@ -98,7 +98,6 @@ export default defineExample({
     },
     {
       label: 'Drops in the air, the rate times 2 v sin θ/g of all jets',
-      unit: '',
       exact: ({ speed, rate }) =>
         ANGLES.reduce((sum, degrees) => sum + (rate * 2 * speed * sin((degrees * Math.PI) / 180)) / GRAVITY, 0),
       tolerance: { absolute: ANGLES.length },

@@ -46,7 +46,7 @@ export default defineExample({
     'A star feels only the mass that is nearer to the centre than itself: the nucleus, other stars, and dark matter. Each star here has just the speed for a circle. Without the dark matter that speed would be too high in the outer parts, and they would fly off: that is how astronomers know that it is there.',
   duration: 60,
   parameters: {
-    count: { label: 'Stars shown', unit: '', initial: 1000, min: 10, max: 5000, integer: true },
+    count: { label: 'Stars shown', initial: 1000, min: 10, max: 5000, integer: true },
     factor: { label: 'Speed, in units of that for a circle', unit: '×', initial: 1, min: 0.2, max: 1.4 },
     dark: { label: 'Dark matter', unit: '×', initial: 1, min: 0, max: 2 },
   },
@@ -114,7 +114,6 @@ export default defineExample({
     })),
     {
       label: 'Largest change of a star’s distance in 30 s, of the distance',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0.02 },
       at: { until: 30, take: 'largest' },

@@ -13,7 +13,7 @@ export default defineExample({
     'Every star pulls every other: 19 900 pairs. The cloud falls together, swings back, and throws some stars out for ever. Since the two forces of each pair are opposite, the momentum of the whole stays to the last digits. Very close pairs are softened, as if each star were a little cloud.',
   duration: 100,
   parameters: {
-    count: { label: 'Stars', unit: '', initial: 200, min: 2, max: 400, integer: true },
+    count: { label: 'Stars', initial: 200, min: 2, max: 400, integer: true },
     softening: { label: 'Softening ε', unit: 'px', initial: 10, min: 1, max: 50, scale: 'log' },
     gravity: { label: 'Strength of gravity G', unit: 'px³/(kg s²)', initial: 1, min: 0, max: 10 },
   },
@@ -61,7 +61,6 @@ export default defineExample({
   checks: [
     {
       label: 'Change of the momentum in 100 s, by the sum of all sizes',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-10 },
       at: { time: 100 },
@@ -69,7 +68,6 @@ export default defineExample({
     },
     {
       label: 'Change of the energy in 100 s',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0.01 },
       at: { time: 100 },

@@ -14,7 +14,7 @@ export default defineExample({
     'Twenty slow bodies move in the field of five attractors, and leave their paths behind. Inside an attractor no force acts, so that a path is straight there. Together the paths show the field: they bend towards every attractor, and hardest near it.',
   duration: 40,
   parameters: {
-    count: { label: 'Bodies', unit: '', initial: 20, min: 1, max: 60, integer: true },
+    count: { label: 'Bodies', initial: 20, min: 1, max: 60, integer: true },
     pull: { label: 'Pull of an attractor, GM', unit: 'px³/s²', initial: 1e5, min: 0, max: 5e5 },
     speed: { label: 'Largest speed at the start', unit: 'px/s', initial: 25, min: 0, max: 100 },
   },
@@ -53,7 +53,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest error of the energy of a flight, before it enters an attractor',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { time: 40 },

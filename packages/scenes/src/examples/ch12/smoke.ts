@@ -82,7 +82,6 @@ export default defineExample({
   checks: [
     {
       label: 'Puffs that are visible, the rate times 3.33 s',
-      unit: '',
       exact: ({ rate }) => rate * LIFE,
       tolerance: { absolute: 1 },
       at: { time: 10 },

@@ -16,8 +16,8 @@ export default defineExample({
     'A spark is a small disc with a colour and an opacity. At an opacity of a half, half of what is seen is the spark and half is what lies behind it. Sparks that overlap cover more and more: n of them let (1 − opacity)ⁿ of the background through. Fading is nothing else than an opacity that goes down to zero.',
   duration: 6,
   parameters: {
-    opacity: { label: 'Opacity', unit: '', initial: 0.5, min: 0, max: 1 },
-    sparks: { label: 'Sparks in the pile', unit: '', initial: 4, min: 1, max: 10, integer: true },
+    opacity: { label: 'Opacity', initial: 0.5, min: 0, max: 1 },
+    sparks: { label: 'Sparks in the pile', initial: 4, min: 1, max: 10, integer: true },
   },
   presets: [{ label: 'Faint, but many', values: { opacity: 0.15, sparks: 10 } }],
   build({ opacity, sparks }: ValuesOf<'opacity' | 'sparks'>) {
@@ -57,7 +57,6 @@ export default defineExample({
   checks: [
     {
       label: 'Red of yellow at an opacity of 0.5 over black',
-      unit: '',
       exact: 127.5,
       tolerance: { absolute: 2 },
       at: { time: 0 },
@@ -65,7 +64,6 @@ export default defineExample({
     },
     {
       label: 'Blue of it',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 2 },
       at: { time: 0 },
@@ -73,7 +71,6 @@ export default defineExample({
     },
     {
       label: 'What a pile of n covers, 1 − (1 − opacity)ⁿ',
-      unit: '',
       exact: 1 - 0.5 ** 4,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },

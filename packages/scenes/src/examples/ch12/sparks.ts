@@ -66,7 +66,6 @@ export default defineExample({
   checks: [
     {
       label: 'Sparks after 5 s: none has died',
-      unit: '',
       exact: 300,
       tolerance: { absolute: 1 },
       at: { time: 5 },
@@ -74,7 +73,6 @@ export default defineExample({
     },
     {
       label: 'Sparks after 25 s, the rate times the mean life',
-      unit: '',
       exact: ({ rate, life }) => rate * life,
       tolerance: { relative: 0.05 },
       at: { time: 25 },
@@ -82,7 +80,6 @@ export default defineExample({
     },
     {
       label: 'The same for many that die soon: 200 · 2.1',
-      unit: '',
       exact: 420,
       tolerance: { relative: 0.05 },
       at: { time: 25 },

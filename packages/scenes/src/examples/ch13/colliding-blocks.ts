@@ -38,8 +38,8 @@ export default defineExample({
     'Ten blocks fall on the floor and on each other. Where they touch they push each other apart, equally hard, and turn each other. Each collision takes energy away and none gives any, so that the heap calms down; then the blocks sleep, and cost nothing.',
   duration: 40,
   parameters: {
-    restitution: { label: 'Restitution e', unit: '', initial: 0.4, min: 0, max: 0.8 },
-    friction: { label: 'Friction', unit: '', initial: 0.4, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 0.4, min: 0, max: 0.8 },
+    friction: { label: 'Friction', initial: 0.4, min: 0, max: 1 },
     gravity: { label: 'Gravity', unit: 'm/s²', initial: 0.5, min: 0.1, max: 10 },
   },
   presets: [{ label: 'On the Earth', values: { gravity: 9.81 } }],
@@ -92,7 +92,6 @@ export default defineExample({
   checks: [
     {
       label: 'Blocks asleep after 30 s',
-      unit: '',
       exact: 10,
       tolerance: { absolute: 0 },
       at: { time: 30 },
@@ -108,7 +107,6 @@ export default defineExample({
     },
     {
       label: 'Most energy gained at any time, of that at the start',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { until: 30, take: 'largest' },

@@ -1,6 +1,6 @@
 import { box, circle, createRandom, keepState, polygon } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
-import { defineExample } from '../define-example.ts';
+import { choiceOf, defineExample } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
 import { emptyWorld } from '../support/read.ts';
 
@@ -56,15 +56,10 @@ export default defineExample({
     'How hard a body is to turn depends on how far its mass is from the axis: the moment of inertia is the mean of r², times the mass. Here points rain on the shape at random, and the mean of r² of those that hit comes nearer and nearer to the exact one.',
   duration: 20,
   parameters: {
-    shape: {
-      label: 'Shape',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 3,
-      integer: true,
-      choices: SHAPES.map(({ name }) => name),
-    },
+    shape: choiceOf(
+      'Shape',
+      SHAPES.map(({ name }) => name),
+    ),
   },
   presets: SHAPES.slice(1).map(({ name }, i) => ({ label: name, values: { shape: i + 1 } })),
   build({ shape }, { seed }): Run {
@@ -140,7 +135,6 @@ export default defineExample({
     },
     ...(['triangle', 'pentagon'] as const).map((preset) => ({
       label: `Random points by the formula, ${preset}`,
-      unit: '',
       exact: 1,
       tolerance: { relative: 0.01 },
       at: { time: 20 },

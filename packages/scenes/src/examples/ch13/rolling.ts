@@ -1,6 +1,6 @@
 import { createPhysicsWorld, planeSupport, rgba, spawn, uniformGravity } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
 import { marks, star } from '../support/outline.ts';
@@ -40,16 +40,11 @@ export default defineExample({
     'Friction makes a round body roll: it holds the lowest point, and so turns the body. A part of the energy goes into turning, so rolling is slower than sliding without friction: for a hoop, whose mass is all at the rim, by half. On a steep slope friction is too weak, and the body slips.',
   duration: 22,
   parameters: {
-    slope: { label: 'Slope, tan θ', unit: '', initial: 0.25, min: 0.05, max: 1.5 },
-    body: {
-      label: 'Body',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 2,
-      integer: true,
-      choices: BODIES.map(({ name }) => name),
-    },
+    slope: { label: 'Slope, tan θ', initial: 0.25, min: 0.05, max: 1.5 },
+    body: choiceOf(
+      'Body',
+      BODIES.map(({ name }) => name),
+    ),
   },
   presets: [
     { label: 'Disc', values: { body: 1 } },
@@ -131,7 +126,6 @@ export default defineExample({
       exact: (values) => Math.sqrt((2 * LENGTH) / acceleration(values)),
       tolerance: { relative: 1e-6 },
       at: { event: ({ way }) => way() - LENGTH },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Speed then',
@@ -156,7 +150,6 @@ export default defineExample({
       ] as const
     ).map(([preset, share]) => ({
       label: `${preset}: acceleration, by g sin θ`,
-      unit: '',
       exact: share,
       tolerance: { relative: 1e-6 },
       at: { time: 4 },

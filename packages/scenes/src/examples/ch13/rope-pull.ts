@@ -72,7 +72,6 @@ export default defineExample({
   checks: [
     {
       label: 'Pull of the rope by that of the grip, at rest',
-      unit: '',
       exact: () => 1,
       tolerance: { relative: 0.01 },
       at: { time: 60 },
@@ -80,7 +79,6 @@ export default defineExample({
     },
     {
       label: 'The same with the grip far away',
-      unit: '',
       exact: 1,
       tolerance: { relative: 0.01 },
       at: { time: 60 },

@@ -66,7 +66,6 @@ export default defineExample({
       exact: ({ omega }) => (2 * Math.PI) / omega,
       tolerance: { absolute: 1e-6 },
       at: { event: ({ turned }) => turned() - 2 * Math.PI },
-      measure: ({ world }) => world.time,
     },
   ],
   tryThis: [

@@ -75,7 +75,6 @@ export default defineExample({
   checks: [
     ...ENERGY_ERRORS.map((figure) => ({
       label: 'Error of the energy in 200 s',
-      unit: '',
       ...figure,
       measure: ({ error }: { error(): number }) => Math.abs(error()),
     })),
@@ -85,7 +84,6 @@ export default defineExample({
       exact: 21.7126,
       tolerance: { relative: 1e-3 },
       at: { event: ({ radialSpeed }) => radialSpeed(), from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest distance',

@@ -88,7 +88,6 @@ export default defineExample({
       exact: Math.sqrt(10),
       tolerance: { absolute: 1 / 60 },
       at: { event: ({ fallen }) => fallen() - FALL + 1e-6 },
-      measure: ({ world }) => world.time,
       preset: 'A tower of 49 m',
     },
   ],

@@ -36,7 +36,6 @@ export default defineExample({
   checks: [
     ...[semiImplicitEuler, positionFirstEuler].map((integrator, i) => ({
       label: ['Largest error of the energy, ω dt/2', 'The same, places first'][i],
-      unit: '',
       exact: 1 / 120,
       tolerance: { relative: 0.02 },
       at: { until: 100, take: 'largest' as const },

@@ -19,7 +19,7 @@ export default defineExample({
   duration: 15,
   parameters: {
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 20, min: 0, max: 60 },
-    restitution: { label: 'Speed kept in a bounce', unit: '', initial: 0.9, min: 0.2, max: 1 },
+    restitution: { label: 'Speed kept in a bounce', initial: 0.9, min: 0.2, max: 1 },
     speed: { label: 'Speed to both walls', unit: 'px/s', initial: 20, min: 0, max: 60 },
   },
   presets: [{ label: 'No gravity', values: { gravity: 0 } }],
@@ -77,7 +77,6 @@ export default defineExample({
       exact,
       tolerance: { absolute: DT },
       at: { event: ({ world, ball }: BallRun) => velocityOf(world, ball)[axis] },
-      measure: ({ world }: BallRun) => world.time,
     })),
     ...[64.8, 52.488].map((exact, i) => ({
       label: `Height of apex ${i + 1}, 80 · 0.81${['', '²'][i]}`,

@@ -67,7 +67,6 @@ export default defineExample({
       exact: ({ stiffness }) => (2 * Math.PI) / Math.sqrt(stiffness),
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, cube }) => positionOf(world, cube).z + 500, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Angular velocity in the end, τ/k',

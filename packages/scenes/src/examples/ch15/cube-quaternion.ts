@@ -81,7 +81,6 @@ export default defineExample({
     },
     {
       label: 'Angle from the exact turn about the diagonal after 10 s, by that of 27.76 rad',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { time: 10 },
@@ -92,7 +91,6 @@ export default defineExample({
     },
     {
       label: 'Norm of the quaternion after 20 s',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-14 },
       at: { time: 20 },

@@ -61,11 +61,9 @@ export default defineExample({
       exact: ({ spin }) => (2 * Math.PI) / spin,
       tolerance: { relative: 1e-3 },
       at: { event: ({ town }) => town().z, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Steps of 1/60 s in a day',
-      unit: '',
       exact: 628.3,
       tolerance: { relative: 1e-3 },
       at: { event: ({ town }) => town().z, from: 1, to: 2 },

@@ -1,5 +1,5 @@
 import { axial3, createPhysicsWorld, defineLaw, scalar, spawn, velocityVerlet } from '@principia/physics';
-import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Line } from '../picture.ts';
 import { orientationOf, point, pointOn, rotate, rotationAbout, times } from '../support/space.ts';
 
@@ -48,15 +48,7 @@ export default defineExample({
   parameters: {
     spin: { label: 'Spin of the wheel', unit: 'rad/s', initial: 30, min: 10, max: 60 },
     arm: { label: 'Distance r of the wheel', unit: 'm', initial: 0.25, min: 0.1, max: 0.4 },
-    start: {
-      label: 'At the start',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 1,
-      integer: true,
-      choices: ['walking', 'let go'],
-    },
+    start: choiceOf('At the start', ['walking', 'let go']),
   },
   presets: [{ label: 'Let go', values: { start: 1 } }],
   build(values: Values, { integrator = velocityVerlet }: BuildOptions) {
@@ -122,7 +114,6 @@ export default defineExample({
       // The nutation turns by at most I₃ ω dt/2I₁ = 0.03 in half a step, and errs by the twelfth part of its square.
       tolerance: { relative: 1e-3 },
       at: { event: ({ axle }) => axle().x, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Lowest point after letting go, r (k − √(k² + 4))/2',

@@ -37,9 +37,9 @@ export default defineExample({
   dimensions: 3,
   duration: 10,
   parameters: {
-    x: { label: 'Axis, to the right', unit: '', initial: 0, min: -1, max: 1 },
-    y: { label: 'Axis, upwards', unit: '', initial: 0, min: -1, max: 1 },
-    z: { label: 'Axis, to the front', unit: '', initial: 1, min: 0.1, max: 1 },
+    x: { label: 'Axis, to the right', initial: 0, min: -1, max: 1 },
+    y: { label: 'Axis, upwards', initial: 0, min: -1, max: 1 },
+    z: { label: 'Axis, to the front', initial: 1, min: 0.1, max: 1 },
     rate: { label: 'Angle per second', unit: '°/s', initial: 45, min: 0, max: 180 },
   },
   presets: [{ label: 'About a corner', values: { x: 1, y: 1, z: 1 } }],
@@ -77,7 +77,6 @@ export default defineExample({
   checks: [
     {
       label: 'A turn by 90° about z takes (1, 0, 0) to (0, 1, 0): distance',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-15 },
       at: { time: 0 },
@@ -85,7 +84,6 @@ export default defineExample({
     },
     {
       label: 'Norm after a million products, put right after each',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-15 },
       at: { time: 1 },
@@ -93,7 +91,6 @@ export default defineExample({
     },
     {
       label: 'Norm of the turn after 10 s',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-14 },
       at: { time: 10 },

@@ -68,7 +68,6 @@ export default defineExample({
   checks: [
     {
       label: 'Lengths and right angles that a rotation keeps: largest error',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-14 },
       at: { until: 8, take: 'largest' },
@@ -76,7 +75,6 @@ export default defineExample({
     },
     {
       label: 'Determinant, the volume that it keeps',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-14 },
       at: { time: 8 },
@@ -84,7 +82,6 @@ export default defineExample({
     },
     {
       label: 'Difference of the two orders',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 1e-14 },
       at: { time: 8 },
@@ -93,7 +90,6 @@ export default defineExample({
     {
       // With the nose straight down, yaw and roll turn about the same axis: only their difference counts.
       label: 'Gimbal lock: yaw 30° and roll 30° at pitch 90°, less none of both',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-14 },
       at: { time: 0 },

@@ -16,7 +16,7 @@ export default defineExample({
   dimensions: 3,
   duration: 12,
   parameters: {
-    height: { label: 'Height of the orange tip', unit: '', initial: 0.5, min: -2, max: 2 },
+    height: { label: 'Height of the orange tip', initial: 0.5, min: -2, max: 2 },
     rate: { label: 'Turning of the orange arrow', unit: '°/s', initial: 30, min: 0, max: 120 },
   },
   presets: [{ label: 'Both in the plane', values: { height: 0 } }],
@@ -60,7 +60,6 @@ export default defineExample({
   checks: [
     {
       label: 'Largest dot product of a and a × b',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-14 },
       at: { until: 12, take: 'largest' },
@@ -68,7 +67,6 @@ export default defineExample({
     },
     {
       label: 'Largest dot product of b and a × b',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-14 },
       at: { until: 12, take: 'largest' },
@@ -77,7 +75,6 @@ export default defineExample({
     {
       // Lagrange: |a × b|² + (a·b)² = |a|² |b|².
       label: 'Largest error of ∣a × b∣² + (a·b)² = a² b²',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-14 },
       at: { until: 12, take: 'largest' },
@@ -85,7 +82,6 @@ export default defineExample({
     },
     {
       label: 'i × j is k: its part along z',
-      unit: '',
       exact: 1,
       tolerance: { absolute: 0 },
       at: { time: 0 },

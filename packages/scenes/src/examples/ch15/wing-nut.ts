@@ -92,11 +92,9 @@ export default defineExample({
       exact: (values) => tumblingPeriod(momentsOf(values), spinOf(values)),
       tolerance: { relative: 1e-4 },
       at: { event: ({ spin }) => spin(), from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Largest change of the energy, as a fraction',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-10 },
       at: { until: 30, take: 'largest' },
@@ -104,7 +102,6 @@ export default defineExample({
     },
     {
       label: 'Largest change of the angular momentum, as a fraction',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-10 },
       at: { until: 30, take: 'largest' },

@@ -53,7 +53,6 @@ export default defineExample({
       },
       {
         label: `Eccentricity of ${INNER_NAMES[name]}`,
-        unit: '',
         exact: ELEMENTS[name][1],
         tolerance: { absolute: 1.5e-5 },
         at: { time: 0 },

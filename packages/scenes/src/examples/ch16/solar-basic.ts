@@ -70,7 +70,6 @@ export default defineExample({
     })),
     ...INNER_PLANETS.map((name) => ({
       label: `Eccentricity of ${INNER_NAMES[name]}`,
-      unit: '',
       exact: 4.5e-4,
       tolerance: { absolute: 1.6e-4 },
       at: { time: 0 },

@@ -1,5 +1,5 @@
 import { type Integrator, rungeKutta4 } from '@principia/physics';
-import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import {
   BOOK,
@@ -44,7 +44,7 @@ export default defineExample({
   dimensions: 3,
   duration: YEAR / DAYS,
   ends: true,
-  parameters: { model: { label: 'Model', unit: '', initial: 0, min: 0, max: 2, integer: true, choices: MODELS } },
+  parameters: { model: choiceOf('Model', MODELS) },
   presets: [
     { label: 'Newton without the Moon', values: { model: 1 } },
     { label: 'The book', values: { model: 2 } },

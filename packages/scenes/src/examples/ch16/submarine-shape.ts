@@ -2,6 +2,7 @@ import { cos, keepState, sin } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Point, pointsOf } from '../picture.ts';
 import { FIGURE_CHECKS, spinFigure } from '../support/figure.ts';
+import { held } from '../support/held.ts';
 
 const HALF = 0.8;
 const end = (side: number): Point[] =>
@@ -31,24 +32,12 @@ export default defineExample({
     'A hull with round ends, a tower, six portholes, and the ballast tank that makes it dive: the water in it stands as high as it is full. Fill and empty it with F and E, or the buttons. The outline is a body, cut into convex pieces.',
   duration: 5,
   parameters: {
-    fill: { label: 'Fraction of the tank that is full', unit: '', initial: 0.5, min: 0, max: 1 },
+    fill: { label: 'Fraction of the tank that is full', initial: 0.5, min: 0, max: 1 },
     spin: { label: 'Angular velocity', unit: 'rad/s', initial: 0, min: -1, max: 1 },
   },
   actions: {
-    fill: {
-      label: 'Fill',
-      about: 'let water in',
-      key: 'f',
-      press: (run) => change(run, 0.3),
-      release: (run) => change(run, 0),
-    },
-    empty: {
-      label: 'Empty',
-      about: 'press water out',
-      key: 'e',
-      press: (run) => change(run, -0.3),
-      release: (run) => change(run, 0),
-    },
+    fill: held('Fill', 'f', 'let water in', change, 0.3),
+    empty: held('Empty', 'e', 'press water out', change, -0.3),
   },
   build({ fill, spin }: ValuesOf<'fill' | 'spin'>) {
     const figure = spinFigure(HULL, spin);

@@ -8,6 +8,7 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { held } from '../support/held.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 import {
   FILL_RATE,
@@ -45,7 +46,7 @@ export default defineExample({
     'Water in the ballast tank makes the submarine heavier. Half full it weighs as much as the water whose place it takes, and hovers; with less it floats, with more it sinks, until drag balances what is left of its weight. The propeller pushes it to 20 px/s. Hold ↓ to flood the tank, ↑ to blow it out, ← and → to drive.',
   duration: 60,
   parameters: {
-    fill: { label: 'Water in the tank', unit: '', initial: 0.4, min: 0, max: 1 },
+    fill: { label: 'Water in the tank', initial: 0.4, min: 0, max: 1 },
     engine: { label: 'Engine at the start', unit: 'N', initial: 0, min: 0, max: push },
   },
   presets: [
@@ -79,34 +80,10 @@ export default defineExample({
   },
   picture: subPicture,
   actions: {
-    left: {
-      label: '◀',
-      about: 'full astern',
-      key: 'arrowleft',
-      press: (run) => drive(run, -push),
-      release: (run) => drive(run, 0),
-    },
-    right: {
-      label: '▶',
-      about: 'full ahead',
-      key: 'arrowright',
-      press: (run) => drive(run, push),
-      release: (run) => drive(run, 0),
-    },
-    down: {
-      label: '▼',
-      about: 'flood the tank',
-      key: 'arrowdown',
-      press: (run) => flood(run, FILL_RATE),
-      release: (run) => flood(run, 0),
-    },
-    up: {
-      label: '▲',
-      about: 'blow the tank out',
-      key: 'arrowup',
-      press: (run) => flood(run, -FILL_RATE),
-      release: (run) => flood(run, 0),
-    },
+    left: held('◀', 'arrowleft', 'full astern', drive, -push),
+    right: held('▶', 'arrowright', 'full ahead', drive, push),
+    down: held('▼', 'arrowdown', 'flood the tank', flood, FILL_RATE),
+    up: held('▲', 'arrowup', 'blow the tank out', flood, -FILL_RATE),
   },
   plots: [
     {
@@ -135,7 +112,6 @@ export default defineExample({
       exact: 14.6,
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
-      measure: ({ world }) => world.time,
     },
     {
       label: 'Full tank: speed of the dive after 10 s',
@@ -179,7 +155,6 @@ export default defineExample({
     },
     {
       label: 'Water in the tank for neutral weight',
-      unit: '',
       exact: 0.5,
       tolerance: { absolute: 1e-12 },
       at: { time: 0 },

@@ -103,7 +103,6 @@ export default defineExample({
     },
     {
       label: 'Mean energy of the grain by that of a molecule',
-      unit: '',
       exact: 1,
       // Energies in the plane are distributed exponentially: three errors of the mean of about 80 independent ones.
       tolerance: { absolute: 0.35 },
@@ -112,7 +111,6 @@ export default defineExample({
     },
     {
       label: 'Change of the whole energy in a minute, as a fraction',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-10 },
       at: { time: 60 },

@@ -32,7 +32,7 @@ export default defineExample({
     'Two thousand grains of ink start at one point. Water brakes each, and kicks it at random, just so strongly that it keeps its temperature. No grain knows where to go, yet together they spread by a law: the mean of the square of the distance grows as the time, ⟨r²⟩ = 4 D t, with Einstein’s D = kT/γ of 1905.',
   duration: 40,
   parameters: {
-    count: { label: 'Grains', unit: '', initial: COUNT, min: 10, max: 20_000, integer: true },
+    count: { label: 'Grains', initial: COUNT, min: 10, max: 20_000, integer: true },
     temperature: { label: 'Temperature kT', unit: 'J', initial: 1, min: 0.1, max: 4 },
     drag: { label: 'Drag γ', unit: 'kg/s', initial: 1, min: 0.5, max: 4 },
   },

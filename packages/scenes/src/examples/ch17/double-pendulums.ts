@@ -28,7 +28,7 @@ export default defineExample({
     'Fifty pendulums, each hanging on another one, start together: the angles of neighbours differ by a thousandth of a degree. They swing as one for some seconds, then open like a fan, and soon each goes its own way. Nothing here is random: the law is simple, and still what comes next cannot be foretold for long. That is chaos.',
   duration: 30,
   parameters: {
-    count: { label: 'Pendulums', unit: '', initial: 50, min: 2, max: 200, integer: true },
+    count: { label: 'Pendulums', initial: 50, min: 2, max: 200, integer: true },
     first: { label: 'Angle of the first rod', unit: '°', initial: 120, min: -179, max: 179 },
     second: { label: 'Angle of the second rod', unit: '°', initial: 150, min: -179, max: 179 },
     difference: { label: 'Difference of neighbours', unit: '°', initial: 1e-3, min: 1e-9, max: 1, scale: 'log' },
@@ -97,7 +97,6 @@ export default defineExample({
       // Rods that part by 0.5° make the period longer by 10⁻⁵ to 3·10⁻⁵.
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, pendulums }: Run) => positionOf(world, pendulums[0].inner).x, from: 1, to: 2 },
-      measure: ({ world }: Run) => world.time,
       preset: sign < 0 ? 'A small swing to one side' : 'A small swing to opposite sides',
     })),
   ],

@@ -1,5 +1,5 @@
 import { angularMomentum, energy } from '@principia/physics';
-import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
 import {
   type PeriodicOrbit,
@@ -54,7 +54,7 @@ export default defineExample({
     'Three equal stars attract each other, and their motion should be chaos. Yet there are starts from which they follow each other for ever on one curve. Lagrange found the turning triangle in 1772; the eight was found only in 1993, and proven in 2000. The triangle falls apart at the least disturbance. The eight is stable: it only wobbles.',
   duration: 20,
   parameters: {
-    orbit: { label: 'Orbit', unit: '', initial: 0, min: 0, max: 1, integer: true, choices: ['Eight', 'Triangle'] },
+    orbit: choiceOf('Orbit', ['Eight', 'Triangle']),
     nudge: { label: 'Nudge of a star', unit: 'm', initial: 0, min: 0, max: 0.05 },
   },
   presets: [

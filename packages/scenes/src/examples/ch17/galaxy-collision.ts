@@ -8,7 +8,7 @@ import {
   spawn,
   velocityVerlet,
 } from '@principia/physics';
-import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import type { Point } from '../picture.ts';
 import { rootOf } from '../support/functions.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
@@ -74,9 +74,9 @@ export default defineExample({
     'Two galaxies pass on a parabola. Each is a heavy centre with light stars around it, which attract nothing: so the brothers Toomre computed it in 1972. Stars on the near side are pulled over as a bridge, and those on the far side are left behind as a long tail. Such tails are seen in the sky, at the Antennae and the Mice.',
   duration: 30,
   parameters: {
-    count: { label: 'Stars of each', unit: '', initial: 900, min: 10, max: 4000, integer: true },
+    count: { label: 'Stars of each', initial: 900, min: 10, max: 4000, integer: true },
     mass: { label: 'Mass of the second', unit: '×', initial: 1, min: 0.1, max: 1 },
-    turn: { label: 'Stars turn', unit: '', initial: 0, min: 0, max: 1, integer: true, choices: ['with', 'against'] },
+    turn: choiceOf('Stars turn', ['with', 'against']),
   },
   presets: [
     { label: 'Turning against the orbit', values: { turn: 1 } },

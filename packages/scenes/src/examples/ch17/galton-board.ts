@@ -43,8 +43,8 @@ export default defineExample({
     'A ball bounces through twelve rows of pegs, and at each it goes to the left or to the right. What one ball does is chance, what hundreds do is a law: of the 4096 ways down one leads into the outermost bin and 924 into the middle, and together they make the bell curve. Galton built such a board in 1873. Here the balls meet the pegs, but not each other.',
   duration: 100,
   parameters: {
-    balls: { label: 'Balls', unit: '', initial: COUNT, min: 1, max: 1000, integer: true },
-    restitution: { label: 'Restitution e', unit: '', initial: 0.6, min: 0, max: 0.9 },
+    balls: { label: 'Balls', initial: COUNT, min: 1, max: 1000, integer: true },
+    restitution: { label: 'Restitution e', initial: 0.6, min: 0, max: 0.9 },
     drag: { label: 'Drag of a ball', unit: 'kg/s', initial: 3, min: 1, max: 10 },
   },
   build({ balls: count, restitution, drag }: Values, { seed, ...options }: BuildOptions) {
@@ -102,7 +102,6 @@ export default defineExample({
   checks: [
     {
       label: 'Balls that have reached the bins',
-      unit: '',
       exact: COUNT,
       tolerance: { absolute: 0 },
       at: { time: 100 },

@@ -38,7 +38,7 @@ export default defineExample({
     'A pendulum swings over three magnets, and air slows it until one of them holds it. Thousands are let go at once, one from each point of the picture, and the point takes the colour of the magnet that is nearest to its pendulum now. Near a magnet the outcome is clear. Elsewhere the colours are mixed ever more finely.',
   duration: 50,
   parameters: {
-    rows: { label: 'Rows of pendulums', unit: '', initial: 64, min: 10, max: 120, integer: true },
+    rows: { label: 'Rows of pendulums', initial: 64, min: 10, max: 120, integer: true },
     drag: { label: 'Drag', unit: 'kg/s', initial: 0.3, min: 0.05, max: 1 },
     strength: { label: 'Magnets', unit: 'N m²', initial: 1, min: 0.6, max: 3 },
   },
@@ -118,7 +118,6 @@ export default defineExample({
     },
     {
       label: 'Pendulums that are not where the mirror image of their partner is',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 0 },
       at: { time: 50 },

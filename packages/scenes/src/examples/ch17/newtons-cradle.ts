@@ -70,9 +70,9 @@ export default defineExample({
     'Pull one ball aside and let it go: on the other side one flies off, just as fast. Two go in, and two come out. Momentum alone would allow one to come out with twice the speed, but then the energy would be twice as large. Mersenne’s and Huygens’ balls never read either law: each hands its velocity to the next.',
   duration: 12,
   parameters: {
-    pulled: { label: 'Balls pulled aside', unit: '', initial: 1, min: 1, max: 4, integer: true },
+    pulled: { label: 'Balls pulled aside', initial: 1, min: 1, max: 4, integer: true },
     degrees: { label: 'Pulled aside by', unit: '°', initial: 40, min: 5, max: 60 },
-    restitution: { label: 'Restitution e', unit: '', initial: 1, min: 0, max: 1 },
+    restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
   },
   presets: [
     { label: 'Two balls', values: { pulled: 2 } },
@@ -142,7 +142,6 @@ export default defineExample({
     },
     {
       label: 'Two out for two in: slower of the last two by the faster one',
-      unit: '',
       exact: 1,
       tolerance: { relative: 0.01 },
       at: { time: 0.6 },
@@ -151,7 +150,6 @@ export default defineExample({
     },
     {
       label: 'Change of the energy in 10 s, as a fraction of the energy at the start',
-      unit: '',
       exact: 0,
       // The jerks of the strings take some.
       tolerance: { absolute: 1e-3 },

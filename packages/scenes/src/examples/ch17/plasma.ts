@@ -32,7 +32,7 @@ export default defineExample({
     'Electrons repel each other, and a background of ions draws them to the middle. Let go from too wide a disc they fall in, overshoot, and breathe at the plasma frequency, however many they are. Pushed aside as a whole they swing √2 times as slowly, and their own repulsion does not matter at all: action is reaction.',
   duration: 24,
   parameters: {
-    count: { label: 'Electrons', unit: '', initial: COUNT, min: 2, max: 1500, integer: true },
+    count: { label: 'Electrons', initial: COUNT, min: 2, max: 1500, integer: true },
     stretch: { label: 'Radius at the start', unit: '×', initial: 1.1, min: 0.6, max: 1.6 },
     shift: { label: 'Pushed aside by', unit: 'm', initial: 0, min: 0, max: 3 },
   },
@@ -108,7 +108,6 @@ export default defineExample({
     },
     {
       label: 'Change of the energy in 20 s, as a fraction',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-4 },
       at: { time: 20 },

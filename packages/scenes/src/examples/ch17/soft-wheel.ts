@@ -42,7 +42,7 @@ export default defineExample({
   parameters: {
     slope: { label: 'Slope', unit: '°', initial: 10, min: 0, max: 30 },
     pressure: { label: 'Pressure of the air', unit: 'N/m', initial: 2000, min: 200, max: 3500 },
-    friction: { label: 'Coefficient of friction', unit: '', initial: 0.8, min: 0, max: 1 },
+    friction: { label: 'Coefficient of friction', initial: 0.8, min: 0, max: 1 },
   },
   presets: [
     { label: 'On ice', values: { friction: 0.05 } },

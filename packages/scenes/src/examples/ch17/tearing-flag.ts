@@ -45,7 +45,7 @@ export default defineExample({
   parameters: {
     growth: { label: 'Growth of the wind', unit: 'm/s²', initial: 1, min: 0.2, max: 4 },
     strength: { label: 'Strength of a thread', unit: 'N', initial: 3, min: 1, max: 8 },
-    wear: { label: 'Wear: some threads are weaker', unit: '', initial: 0, min: 0, max: 0.9 },
+    wear: { label: 'Wear: some threads are weaker', initial: 0, min: 0, max: 0.9 },
     gusts: { label: 'Gusts', unit: 'm/s', initial: 0, min: 0, max: 8 },
   },
   presets: [{ label: 'An old flag in gusts', values: { wear: 0.5, gusts: 2.5, strength: 6 } }],
@@ -106,7 +106,6 @@ export default defineExample({
   checks: [
     {
       label: 'Slope of the flag at 12 m/s, weight over drag',
-      unit: '',
       exact: WEIGHT / (12 * DRAG),
       // As it still rises it lags by an eighth of a second, in which the wind grows by 1 %.
       tolerance: { relative: 0.015 },

@@ -1,5 +1,5 @@
 import { energy } from '@principia/physics';
-import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { type BuildOptions, choiceOf, defineExample, type ValuesOf } from '../define-example.ts';
 import { type ThreeBodyRun, threeBodies, threeBodyPicture } from '../support/three-bodies.ts';
 
 type Values = ValuesOf<'dance' | 'nudge'>;
@@ -22,15 +22,10 @@ export default defineExample({
     'For three hundred years three families of periodic motions of three stars were known. In 2013 two physicists let a computer search, and found thirteen new ones. All start in the same way: three equal stars in a row, the middle one moving against the other two, and all depends on the direction and the speed.',
   duration: 22,
   parameters: {
-    dance: {
-      label: 'Dance',
-      unit: '',
-      initial: 0,
-      min: 0,
-      max: 4,
-      integer: true,
-      choices: DANCES.map(({ name }) => name),
-    },
+    dance: choiceOf(
+      'Dance',
+      DANCES.map(({ name }) => name),
+    ),
     nudge: { label: 'Nudge of a star', unit: 'm', initial: 0, min: 0, max: 0.05 },
   },
   presets: DANCES.map(({ name }, dance) => ({ label: name, values: { dance } })),
@@ -78,7 +73,6 @@ export default defineExample({
     })),
     {
       label: 'Change of the energy, as a fraction',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-11 },
       at: { time: 20 },

@@ -38,7 +38,7 @@ export default defineExample({
     'Behind a post in a stream, a chimney in the wind or an island under clouds, vortices leave to the left and to the right in turn and make two rows. Each is carried by all the others. Kármán found in 1911 that only one width of the street can last: 0.281 of the distance between neighbours. Straight lines of dye, warm above and cold below, show how the rows stir the fluid.',
   duration: 24,
   parameters: {
-    ratio: { label: 'Width over spacing', unit: '', initial: KARMAN, min: 0.1, max: 1 },
+    ratio: { label: 'Width over spacing', initial: KARMAN, min: 0.1, max: 1 },
     circulation: { label: 'Circulation of a vortex', unit: 'm²/s', initial: 12, min: 2, max: 20 },
   },
   presets: [{ label: 'Too wide', values: { ratio: 0.5 } }],
@@ -125,7 +125,6 @@ export default defineExample({
     },
     {
       label: 'ln of how much the shifts of Kármán’s street grow in 20 s',
-      unit: '',
       exact: 0,
       tolerance: { absolute: 1e-3 },
       at: { event: ({ world }) => world.time - (world.time < 12 ? 1 : 21), from: 1, to: 2 },
@@ -133,7 +132,6 @@ export default defineExample({
     },
     {
       label: 'ln of how much the shifts of a street that is too wide grow in 4 s',
-      unit: '',
       exact: 4 * growthOf({ ratio: 0.5, circulation: 12 }),
       // The shifts are below 0.01 of the spacing; what is not linear in them is of their square.
       tolerance: { relative: 1e-3 },

@@ -79,7 +79,6 @@ export const FIGURE_CHECKS = [
   },
   {
     label: 'Moment of inertia of its parts, by that of the outline',
-    unit: '',
     exact: 1,
     tolerance: { relative: 1e-12 },
     at: { time: 0 },
