@@ -31,11 +31,12 @@ test('grid lines are round and within the range', () => {
 });
 
 test('numbers are short and plain', () => {
-  expect([0, 1.99314159, -9.043, 1e-5, 15_000, 3e9, Number.NaN].map(plainNumber)).toEqual([
+  expect([0, 1.99314159, -9.043, 1e-5, -5e-5, 15_000, 3e9, Number.NaN].map(plainNumber)).toEqual([
     '0',
     '1.99314',
     '−9.043',
     '1.00e−5',
+    '−5.00e−5',
     '15000',
     '3.00e9',
     '–',

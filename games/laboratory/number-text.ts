@@ -5,7 +5,7 @@ export function plainNumber(value: number): string {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-3 || size >= 1e7))
-    return inLanguage(value.toExponential(2)).replace('e+', 'e').replace('-', '−');
+    return inLanguage(value.toExponential(2)).replace('e+', 'e').replaceAll('-', '−');
   return inLanguage(String(Number(value.toPrecision(6)))).replace('-', '−');
 }
 
