@@ -1,6 +1,7 @@
 // Detects whether a spring or a mass was changed in place since the rows were read. A comparison with a copy would
 // cost as much as reading again. A 512-bit checksum detects the change of a single value always, and of several
-// almost certainly.
+// almost certainly. Reading the rows again in each step instead makes a step of a cloth of 1 000 or 10 000 nodes take
+// 1.20 times as long in f32 and 1.09 to 1.12 times in f64; a rope's does not change.
 import { columns } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
 import { ConstraintTable, word } from './table';
