@@ -20,6 +20,7 @@ export interface ClipOptions {
   readonly onReady: (file: File) => void;
   /** Receives a sentence when there is no clip in the end. */
   readonly onFailure: (sentence: string) => void;
+  /** Length of the clip, s; default 8. */
   readonly seconds?: number;
   /** Paints what lies over the picture. */
   readonly overlay: FilmOverlay;

@@ -31,7 +31,7 @@ export interface SharingOptions {
   readonly onChange: () => void;
   /** Called when a clip starts: it shows play, so a paused game goes on. */
   readonly onClip: () => void;
-  /** Length of a clip, s. */
+  /** Length of a clip, s; default 8. */
   readonly clipSeconds?: number;
 }
 

@@ -17,6 +17,7 @@ export interface VideoOptions {
   readonly maxSeconds?: number;
   /** Longer side of the video, pixels; default that of the canvas. */
   readonly maxSide?: number;
+  /** Default 12e6. */
   readonly bitsPerSecond?: number;
   /** Most frames a second; default every frame that is drawn. */
   readonly maxRate?: number;

@@ -166,7 +166,7 @@ export function radauRefine(table: usize, s: i32, first: i32, last: i32): f64 {
   return largestValue < Infinity ? largestValue : Infinity;
 }
 
-// Returns the largest magnitude in a column: 6 for b6, which measures convergence, 14 for a0.
+// Returns the largest magnitude in a column: 6 for b6, which measures convergence.
 export function radauLargestOf(table: usize, column: i32, first: i32, last: i32): f64 {
   const t = changetype<RadauTable>(table);
   let largestValue = splat(0);

@@ -21,7 +21,14 @@ import {
   wisdomHolman,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { distance, kepler, keplerExact, oscillator, stateOf } from '../../../../test/support/integrator-problems.ts';
+import {
+  advance,
+  distance,
+  kepler,
+  keplerExact,
+  oscillator,
+  stateOf,
+} from '../../../../test/support/integrator-problems.ts';
 
 const NAMES = Object.keys(INTEGRATORS) as IntegratorName[];
 
@@ -68,6 +75,28 @@ describe('singular configurations', () => {
       expect(fault.value).toBeLessThan(1e-11);
       expectFinite(world);
       expect(world.time).toBeCloseTo(1.5, 12);
+    });
+  }
+
+  // At the equilibrium all accelerations vanish together: error control relative to them must not stop there.
+  for (const create of [() => dormandPrince(), () => gaussRadau()]) {
+    test(`${create().name} starts an oscillator at its equilibrium as easily as at its turning point`, () => {
+      const period = (x: number, velocity: number) => {
+        const ball = oscillator(create(), 1, 0);
+        const { Position, Velocity } = ball.world.components;
+        [Position.x[ball.body], Velocity.x[ball.body]] = [x, velocity];
+        let evaluations = 0;
+        const count = defineForce({ name: 'count', accumulate: () => void evaluations++ });
+        ball.world.forces = [...ball.world.forces, count];
+        advance(ball, 2 * Math.PI, 10);
+        expect(ball.world.faults.faults).toEqual([]);
+        // A hundred sub-steps of 1e-9 at most.
+        expect(distance(stateOf(ball), [x, 0, velocity, 0])).toBeLessThan(1e-7);
+        return evaluations;
+      };
+      const ratio = period(0, 1) / period(1, 0);
+      expect(ratio).toBeGreaterThan(0.75);
+      expect(ratio).toBeLessThan(1.33);
     });
   }
 

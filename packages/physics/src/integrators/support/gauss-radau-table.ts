@@ -40,11 +40,12 @@ export const NEXT = 4;
 export const CHANGE = 5;
 /** The number of force evaluations in this step. */
 export const EVALUATIONS = 6;
-const SCALARS = 7;
+/** The largest acceleration at the nodes, m/s². */
+export const LARGEST = 7;
+const SCALARS = 8;
 
-/** Columns of an axis, kernels/integrators/radau.ts: b₆ and the acceleration at the start. */
+/** Column of an axis, kernels/integrators/radau.ts: b₆. */
 export const LAST_TERM = 6;
-export const START = 14;
 
 export type Radau = ReturnType<typeof makeRadau>;
 
