@@ -43,7 +43,7 @@ it('240 steps of every scene end where they always ended', () => {
       "pyramid": "9185edda58c47341",
       "rope": "dd59fcd83d628992",
       "smash": "291efefafda6c39a",
-      "solar-system": "c3c20eeb71567dfe",
+      "solar-system": "629d39c213fda8a5",
       "spinner": "a002fc54ab0b6afb",
       "springs": "2f827429c1ac197b",
       "tumbler": "869b46e88ba74b7a",
