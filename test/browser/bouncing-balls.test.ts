@@ -43,7 +43,7 @@ async function scaleOf(page: Page) {
 
 describe('the page', () => {
   it('lets balls fall, and draws them', async () => {
-    const page = await play('');
+    const page = await play('seed=8');
     const before = await state(page);
     expect(before.count).toBe(5);
     await page.waitForFunction((tick) => __game.state().tick > tick + 20, before.tick);
