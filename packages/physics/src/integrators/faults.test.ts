@@ -86,8 +86,7 @@ describe('singular configurations', () => {
         const { Position, Velocity } = ball.world.components;
         [Position.x[ball.body], Velocity.x[ball.body]] = [x, velocity];
         let evaluations = 0;
-        const count = defineForce({ name: 'count', accumulate: () => void evaluations++ });
-        ball.world.forces = [...ball.world.forces, count];
+        ball.world.forces.push(defineForce({ name: 'count', accumulate: () => void evaluations++ }));
         advance(ball, 2 * Math.PI, 10);
         expect(ball.world.faults.faults).toEqual([]);
         // A hundred sub-steps of 1e-9 at most.
