@@ -46,7 +46,7 @@ it('240 steps of every scene end where they always ended', () => {
       "solar-system": "629d39c213fda8a5",
       "spinner": "a002fc54ab0b6afb",
       "springs": "2f827429c1ac197b",
-      "tumbler": "869b46e88ba74b7a",
+      "tumbler": "05c4303a269f296a",
       "washer": "eba0776b8cba08fa",
     }
   `);

@@ -1,4 +1,4 @@
-import { box, createJoint, type PhysicsWorld, revolute, spawn, weld } from '@principia/physics';
+import { box, createJoint, type PhysicsWorld, revolute, spawn, spawnCompound } from '@principia/physics';
 import { countOf, defineScene } from '../scene.ts';
 import { seededUniforms } from '../seeded.ts';
 import { GAP, MATERIAL, rigidWorld, runOf, sleeping } from './rigid-scene.ts';
@@ -30,22 +30,19 @@ export const tumbler = defineScene({
   },
 });
 
-/** Four walls, welded to a hub that a motor turns. */
+/** Four walls, one compound body that a motor turns. */
 function addDrum(world: PhysicsWorld, half: number): void {
   const pivot = spawn(world, { position: {}, rotation: 0, collider: { radius: 0.1, mask: 0 } });
-  const heavy = { rotation: 0, angularVelocity: 0, mass: 1000, inertia: 1000 };
-  const hub = spawn(world, { position: {}, ...heavy });
-  createJoint(world, revolute({ a: pivot, b: hub, anchor: {}, motor: { speed: DRUM_SPEED, max: 1e8 } }));
   const across = box(2 * half + 2 * WALL, WALL);
   const along = box(WALL, 2 * half + 2 * WALL);
   const place = half + 0.5 * WALL;
-  for (const [x, y, shape] of [
-    [0, place, across],
-    [0, -place, across],
-    [place, 0, along],
-    [-place, 0, along],
-  ] as const) {
-    const wall = spawn(world, { position: { x, y }, collider: { shape, density: 50, friction: 0.6 } });
-    createJoint(world, weld({ a: hub, b: wall, anchor: { x, y } }));
-  }
+  const material = { density: 50, friction: 0.6 };
+  const parts = [
+    { shape: across, y: place, ...material },
+    { shape: across, y: -place, ...material },
+    { shape: along, x: place, ...material },
+    { shape: along, x: -place, ...material },
+  ];
+  const { body } = spawnCompound(world, { position: {}, velocity: {}, angularVelocity: 0, parts });
+  createJoint(world, revolute({ a: pivot, b: body, anchor: {}, motor: { speed: DRUM_SPEED, max: 1e8 } }));
 }
