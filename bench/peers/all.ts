@@ -34,6 +34,7 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   'many-pyramids': ENGINES,
   'joint-grid': ENGINES,
   tumbler: ENGINES,
+  washer: ENGINES,
   discs: ENGINES,
   smash: ENGINES,
   chains: ENGINES,

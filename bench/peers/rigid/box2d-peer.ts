@@ -4,7 +4,13 @@ import { readFileSync } from 'node:fs';
 import type { SceneRun } from '@principia/scenes';
 import type loadDefault from 'box2d3-wasm';
 import type { Peer } from '../peer.ts';
-import { type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
+import {
+  placedVertices,
+  type RigidBodyData,
+  type RigidJointData,
+  type RigidShapeData,
+  readRigidScene,
+} from './rigid-scene.ts';
 
 type Box2D = Awaited<ReturnType<typeof loadDefault>>;
 type BodyId = ReturnType<Box2D['b2CreateBody']>;
@@ -40,47 +46,44 @@ async function loadBox2D(build: 'compat' | 'deluxe'): Promise<Box2D> {
   return make({ wasmBinary: readFileSync(new URL(`${base}.wasm`)) });
 }
 
-function addBody(b2: Box2D, world: WorldId, { mass, inertia, shape, ...data }: RigidBodyData): BodyId {
+function addBody(b2: Box2D, world: WorldId, { mass, inertia, isKinematic, shapes, ...data }: RigidBodyData): BodyId {
   const definition = b2.b2DefaultBodyDef();
-  definition.type = mass > 0 ? b2.b2BodyType.b2_dynamicBody : b2.b2BodyType.b2_staticBody;
+  const { b2_dynamicBody, b2_kinematicBody, b2_staticBody } = b2.b2BodyType;
+  const unmoved = isKinematic ? b2_kinematicBody : b2_staticBody;
+  definition.type = mass > 0 ? b2_dynamicBody : unmoved;
   definition.position.Set(data.x, data.y);
   definition.rotation.SetAngle(data.angle);
   definition.linearVelocity.Set(data.vx, data.vy);
   definition.angularVelocity = data.w;
   const body = b2.b2CreateBody(world, definition);
-  if (shape !== undefined) addShape(b2, body, mass, shape, data);
+  for (const shape of shapes) addShape(b2, body, shape);
   if (mass > 0) {
     const massData = b2.b2Body_GetMassData(body);
     massData.mass = mass;
     massData.rotationalInertia = inertia;
+    massData.center.Set(0, 0);
     b2.b2Body_SetMassData(body, massData);
   }
   return body;
 }
 
-function addShape(
-  b2: Box2D,
-  body: BodyId,
-  mass: number,
-  { kind, vertices, radius, area }: NonNullable<RigidBodyData['shape']>,
-  { friction, restitution, collides }: Pick<RigidBodyData, 'friction' | 'restitution' | 'collides'>,
-): void {
+function addShape(b2: Box2D, body: BodyId, shape: RigidShapeData): void {
+  const { kind, radius, friction, restitution, collides } = shape;
   const definition = b2.b2DefaultShapeDef();
-  definition.density = mass / area;
   definition.material.friction = friction;
   definition.material.restitution = restitution;
   definition.enableContactEvents = false;
   if (!collides) definition.filter.setMaskBits64('0');
   if (kind === 'circle') {
     const circle = new b2.b2Circle();
-    circle.center.Set(0, 0);
+    circle.center.Set(shape.x, shape.y);
     circle.radius = radius;
     b2.b2CreateCircleShape(body, definition, circle);
     return;
   }
-  const points = Array.from({ length: vertices.length / 2 }, (_, i) => {
+  const points = placedVertices(shape).map(({ x, y }) => {
     const point = new b2.b2Vec2();
-    point.Set(vertices[2 * i], vertices[2 * i + 1]);
+    point.Set(x, y);
     return point;
   });
   b2.b2CreatePolygonShape(body, definition, b2.b2MakePolygon(b2.b2ComputeHull(points), radius));

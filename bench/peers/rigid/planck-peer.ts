@@ -2,7 +2,14 @@
 import type { SceneRun } from '@principia/scenes';
 import { type Body, Box, Circle, Polygon, RevoluteJoint, Vec2, WeldJoint, World } from 'planck';
 import type { Peer } from '../peer.ts';
-import { halfSidesOfBox, type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
+import {
+  halfSidesOfBox,
+  placedVertices,
+  type RigidBodyData,
+  type RigidJointData,
+  type RigidShapeData,
+  readRigidScene,
+} from './rigid-scene.ts';
 
 /** Iterations of a step: the bench asks for about as much work as that of four sub-steps. */
 const VELOCITY_ITERATIONS = 8;
@@ -22,29 +29,30 @@ export function planckPeer(run: SceneRun): Peer | undefined {
   };
 }
 
-function addBody(world: World, { mass, inertia, shape, ...data }: RigidBodyData): Body {
+function addBody(world: World, { mass, inertia, isKinematic, shapes, ...data }: RigidBodyData): Body {
+  const unmoved = isKinematic ? 'kinematic' : 'static';
   const body = world.createBody({
-    type: mass > 0 ? 'dynamic' : 'static',
+    type: mass > 0 ? 'dynamic' : unmoved,
     position: new Vec2(data.x, data.y),
     angle: data.angle,
     linearVelocity: new Vec2(data.vx, data.vy),
     angularVelocity: data.w,
   });
-  if (shape !== undefined) {
-    const material = { density: mass / shape.area, friction: data.friction, restitution: data.restitution };
-    body.createFixture({ shape: shapeOf(shape), ...material, ...(data.collides ? {} : { filterMaskBits: 0 }) });
+  for (const shape of shapes) {
+    const { friction, restitution, collides } = shape;
+    const filter = collides ? {} : { filterMaskBits: 0 };
+    body.createFixture({ shape: shapeOf(shape), friction, restitution, density: 1, ...filter });
   }
   if (mass > 0) body.setMassData({ mass, I: inertia, center: new Vec2(0, 0) });
   return body;
 }
 
-function shapeOf({ kind, vertices, radius }: NonNullable<RigidBodyData['shape']>) {
-  if (kind === 'circle') return new Circle(radius);
+function shapeOf(shape: RigidShapeData) {
+  const { kind, vertices, radius, x, y, angle } = shape;
+  if (kind === 'circle') return new Circle(new Vec2(x, y), radius);
   const half = halfSidesOfBox(vertices);
-  if (half !== undefined) return new Box(half.x, half.y);
-  return new Polygon(
-    Array.from({ length: vertices.length / 2 }, (_, i) => new Vec2(vertices[2 * i], vertices[2 * i + 1])),
-  );
+  if (half !== undefined) return new Box(half.x, half.y, new Vec2(x, y), angle);
+  return new Polygon(placedVertices(shape).map((point) => new Vec2(point.x, point.y)));
 }
 
 function addJoint(world: World, bodies: readonly Body[], joint: RigidJointData): void {

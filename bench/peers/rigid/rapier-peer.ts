@@ -2,7 +2,13 @@
 import RAPIER from '@dimforge/rapier2d-compat';
 import type { SceneRun } from '@principia/scenes';
 import type { Peer } from '../peer.ts';
-import { halfSidesOfBox, type RigidBodyData, type RigidJointData, readRigidScene } from './rigid-scene.ts';
+import {
+  halfSidesOfBox,
+  type RigidBodyData,
+  type RigidJointData,
+  type RigidShapeData,
+  readRigidScene,
+} from './rigid-scene.ts';
 
 /** Rapier's solver makes one sub-step of an iteration; its default is 4, as ours. */
 const SOLVER_ITERATIONS = 4;
@@ -24,8 +30,13 @@ export async function rapierPeer(run: SceneRun): Promise<Peer | undefined> {
   };
 }
 
-function addBody(world: RAPIER.World, { mass, inertia, shape, ...data }: RigidBodyData): RAPIER.RigidBody {
-  const description = mass > 0 ? RAPIER.RigidBodyDesc.dynamic() : RAPIER.RigidBodyDesc.fixed();
+function addBody(
+  world: RAPIER.World,
+  { mass, inertia, isKinematic, shapes, ...data }: RigidBodyData,
+): RAPIER.RigidBody {
+  const { RigidBodyDesc } = RAPIER;
+  const unmoved = isKinematic ? RigidBodyDesc.kinematicVelocityBased() : RigidBodyDesc.fixed();
+  const description = mass > 0 ? RigidBodyDesc.dynamic() : unmoved;
   description
     .setTranslation(data.x, data.y)
     .setRotation(data.angle)
@@ -34,14 +45,17 @@ function addBody(world: RAPIER.World, { mass, inertia, shape, ...data }: RigidBo
     .setCanSleep(false)
     .setAdditionalMassProperties(mass, { x: 0, y: 0 }, inertia);
   const body = world.createRigidBody(description);
-  if (shape === undefined) return body;
-  const collider = colliderOf(shape).setDensity(0).setFriction(data.friction).setRestitution(data.restitution);
-  if (!data.collides) collider.setCollisionGroups(0);
-  world.createCollider(collider, body);
+  for (const shape of shapes) {
+    const { x, y, angle, friction, restitution, collides } = shape;
+    const collider = colliderOf(shape).setTranslation(x, y).setRotation(angle);
+    collider.setDensity(0).setFriction(friction).setRestitution(restitution);
+    if (!collides) collider.setCollisionGroups(0);
+    world.createCollider(collider, body);
+  }
   return body;
 }
 
-function colliderOf({ kind, vertices, radius }: NonNullable<RigidBodyData['shape']>): RAPIER.ColliderDesc {
+function colliderOf({ kind, vertices, radius }: RigidShapeData): RAPIER.ColliderDesc {
   if (kind === 'circle') return RAPIER.ColliderDesc.ball(radius);
   const half = halfSidesOfBox(vertices);
   if (half !== undefined) return RAPIER.ColliderDesc.cuboid(half.x, half.y);
