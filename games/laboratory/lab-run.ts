@@ -5,3 +5,9 @@ import type { Ghosts } from './ghosts.ts';
 export interface LabRun extends ExampleRun {
   readonly ghosts: Ghosts;
 }
+
+/** Pictures whose trails get poses that no frame shows. */
+export interface Trailing {
+  /** Adds the present pose to the trails. */
+  recordTrails(): void;
+}

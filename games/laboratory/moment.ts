@@ -1,6 +1,6 @@
 /** Addresses of a moment: the step that the run has reached, the camera, and the plots. */
 import { FIRST_PLOT } from '@principia/shell';
-import { presentView } from './on-display.ts';
+import { presentRun, presentView, recordTrails } from './on-display.ts';
 import { writeShownPlots } from './shown-plots.ts';
 import { WORDS } from './words.ts';
 
@@ -48,8 +48,15 @@ export async function goTo({ step, camera }: Moment): Promise<void> {
   if (camera !== undefined) presentView()?.setCamera?.(camera);
   if (step === 0) return;
   __game.pause();
-  for (let left = step - __game.state().tick; left > 0; left -= CHUNK) {
-    __game.step(Math.min(CHUNK, left));
+  // Trails get the poses that frames would have shown.
+  const stepsPerFrame = Math.max(1, Math.round(1 / (60 * (presentRun()?.dt ?? 1))));
+  const start = __game.state().tick;
+  let pause = start + CHUNK;
+  for (let tick = start; tick < step; tick += stepsPerFrame) {
+    __game.step(Math.min(stepsPerFrame, step - tick));
+    recordTrails();
+    if (tick < pause) continue;
+    pause += CHUNK;
     await new Promise((done) => setTimeout(done));
   }
 }

@@ -13,6 +13,16 @@ export function showing(view: View): View {
 
 export const presentView = (): View | undefined => present;
 
+let lengthenTrails: (() => void) | undefined;
+
+/** Notes how the picture on display adds the present pose to its trails. */
+export function trailing(record: () => void): void {
+  lengthenTrails = record;
+}
+
+/** Adds the present pose to the trails, which otherwise happens once a frame. */
+export const recordTrails = (): void => lengthenTrails?.();
+
 let run: LabRun | undefined;
 
 /** @returns the same run */

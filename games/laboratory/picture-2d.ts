@@ -5,13 +5,13 @@ import { createBodyLayer, createTrailLayer } from '@principia/render-pixi';
 import { type ExampleRun, frameOf, now, type Point } from '@principia/scenes/examples';
 import type { Picture as PixiPicture } from '@principia/shell/pixi';
 import { Container, Graphics } from 'pixi.js';
-import type { LabRun } from './lab-run.ts';
+import type { LabRun, Trailing } from './lab-run.ts';
 import { Pen } from './pen.ts';
 import type { Shown } from './shown.ts';
 import { TextLayer } from './text-layer.ts';
 
 /** @param shown the values of the switches of what is shown */
-export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown): PixiPicture {
+export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown): PixiPicture & Trailing {
   const { picture } = run;
   const frame = frameOf(picture);
   const container = new Container();
@@ -46,6 +46,9 @@ export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown)
       body.update(alpha);
       drawSprings(run, coils, pixelsPerMetre);
       drawLive(run, live, texts, pixelsPerMetre, shown());
+    },
+    recordTrails() {
+      for (const trail of trails) trail.update(1);
     },
     destroy() {
       for (const layer of [...trails, body]) layer.destroy();

@@ -15,14 +15,14 @@ import {
   PlaneGeometry,
   Vector3,
 } from 'three';
-import type { LabRun } from './lab-run.ts';
+import type { LabRun, Trailing } from './lab-run.ts';
 import { LabelSprites } from './label-sprites.ts';
 import type { Shown } from './shown.ts';
 
 const MAX_TRAIL = 2000;
 
 /** @param shown the values of the switches of what is shown */
-export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Shown): ThreePicture {
+export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Shown): ThreePicture & Trailing {
   const { picture } = run;
   const bodies = createBodyMesh({ source, material: new MeshStandardMaterial({ roughness: 0.45 }) });
   const trails = (picture.trails ?? []).map(({ body, length = 600, interval = 1, color }) =>
@@ -51,6 +51,9 @@ export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Show
       bodies.update(alpha);
       drawLive(run, live, shown());
       writeLabels(picture, labels, shown());
+    },
+    recordTrails() {
+      for (const trail of trails) trail.update(1);
     },
     destroy() {
       for (const part of [...trails, still, live, bodies, labels]) part.destroy();

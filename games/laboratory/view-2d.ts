@@ -3,7 +3,7 @@ import { frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import type { LabRun } from './lab-run.ts';
-import { disturb, showing } from './on-display.ts';
+import { disturb, showing, trailing } from './on-display.ts';
 import { drawPicture } from './picture-2d.ts';
 
 export async function openView(context: ViewContext<Settings, LabRun>): Promise<View> {
@@ -12,6 +12,7 @@ export async function openView(context: ViewContext<Settings, LabRun>): Promise<
     yDown: ({ picture }) => picture.yDown ?? false,
     paint(run, source) {
       const picture = drawPicture(run, source, () => context.values());
+      trailing(picture.recordTrails);
       return {
         ...picture,
         update(alpha, pixelsPerMetre) {

@@ -3,7 +3,7 @@ import type { Picture } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { type BoxBounds, openThreeView } from '@principia/shell/three';
 import type { LabRun } from './lab-run.ts';
-import { disturb, showing } from './on-display.ts';
+import { disturb, showing, trailing } from './on-display.ts';
 import { drawPicture3D } from './picture-3d.ts';
 
 /** From the right above in front. */
@@ -16,6 +16,7 @@ export async function openView3D(context: ViewContext<Settings, LabRun>): Promis
     direction: directionOf(context.sim().picture),
     paint(run, source) {
       const picture = drawPicture3D(run, source, () => context.values());
+      trailing(picture.recordTrails);
       return {
         ...picture,
         update(alpha) {
