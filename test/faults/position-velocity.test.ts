@@ -212,6 +212,18 @@ describe('orientation', () => {
     expect(w[eid]).toBeCloseTo(0.8, 15);
   });
 
+  it('12 a quaternion that turns a body is refused in 2D with E_RANGE', () => {
+    const world = groundWorld({ dimensions: 2 });
+    assertRefused(world, () => spawn(world, { position: { y: 1 }, orientation: { z: 0.6, w: 0.8 } }), {
+      code: 'E_RANGE',
+      field: 'orientation.z',
+      hint: /dimensions: 3.*rotation/,
+    });
+    const eid = spawn(world, { position: { y: 1 }, orientation: {} });
+    expect(world.components.Orientation.w[eid]).toBe(1);
+    assertWorldAlive(world);
+  });
+
   it('12 a quaternion of zeros is refused with E_RANGE', () => {
     const world = stage();
     const zero = { x: 0, y: 0, z: 0, w: 0 };

@@ -15,9 +15,11 @@ export const Rotation = defineComponent({
   fields: { angle: real('rad', { bounds: { min: -MAX_ANGLE, max: MAX_ANGLE } }) },
 });
 
+const VECTOR_PART = { spatial: true, hint: 'In 2D give `rotation`, an angle in radians.' };
+
 /** Orientation in 3D: the unit quaternion from the body's frame to the world's. Given values are normalised. */
 export const Orientation = defineComponent({
-  fields: { x: real(''), y: real(''), z: real(''), w: real('', { initial: 1 }) },
+  fields: { x: real('', VECTOR_PART), y: real('', VECTOR_PART), z: real('', VECTOR_PART), w: real('', { initial: 1 }) },
   complete(values, entity) {
     normaliseFields(
       values,

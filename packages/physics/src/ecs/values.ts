@@ -76,7 +76,7 @@ export function checkField(space: WorldView, spec: FieldSpec, name: string, valu
       entity,
       field: name,
       value,
-      hint: 'Create the world with `dimensions: 3`.',
+      hint: `Create the world with \`dimensions: 3\`.${spec.hint === undefined ? '' : ` ${spec.hint}`}`,
     });
   }
   return checked;
