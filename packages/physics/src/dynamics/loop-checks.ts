@@ -90,14 +90,13 @@ function rangeTest(columns: WorldColumns, { position, velocity }: Moved, weight:
  * the other side; undefined if the step does not end with a drift by the new velocity. A body that began in that ball and
  * ends in it is not too fast; one that comes from outside is tested again where it goes.
  */
-function nearOrigin(columns: WorldColumns, { position, velocity }: Moved): Node | undefined {
-  const { graph, axisNames } = columns;
-  const durations = axisNames.map((_, i) => driftOf(position[i], velocity[i]));
-  const duration = durations[0];
-  if (duration === undefined || durations.some((each) => each !== duration)) return undefined;
+function nearOrigin(columns: WorldColumns, moved: Moved): Node | undefined {
+  if (!endsWithDrift(columns, moved)) return undefined;
+  const { graph } = columns;
+  const duration = driftOf(moved.position[0], moved.velocity[0]) as Node;
   const reach = graph.make('mul', [duration, graph.constant(MAX_DRIFT)]);
   const limit = graph.make('min', [graph.make('mul', [reach, reach]), graph.constant(MAX_POSITION * MAX_POSITION)]);
-  return graph.make('lessOrEqual', [squareOf(columns, position), limit]);
+  return graph.make('lessOrEqual', [squareOf(columns, moved.position), limit]);
 }
 
 function squareOf({ graph, axisNames }: WorldColumns, v: readonly Node[]): Node {
