@@ -11,12 +11,12 @@ it('every date has a seed, and the seed its date', () => {
   for (const seed of [1, 20_261_301, 20_260_230, 19_991_231, 4_294_967_295]) expect(dayOfSeed(seed)).toBeUndefined();
 });
 
-it('a result tells the day, and a game that began at a higher level is not ranked', () => {
+it('a result tells the day and the slingshots, and a game that began at a higher level is not ranked', () => {
   const game = play(20_261_123);
-  Object.assign(game.rules, { phase: 'over', dodged: 3, score: 6, bonus: 2 });
+  Object.assign(game.rules, { phase: 'over', dodged: 3, score: 6, bonus: 2, slingshots: 3 });
   expect(outcomeOf(game)).toMatchObject({
     score: 8,
-    share: 'Black hole, daily 2026-11-23: level 4, 6 points + 2 bonus',
+    share: 'Black hole, daily 2026-11-23: level 4, 3 slingshots, 6 points + 2 bonus',
   });
   const high = play(5, { level: 4 });
   expect(high.rules).toMatchObject({ level: 4, dodged: 3, goalPoints: 4 });
@@ -24,6 +24,6 @@ it('a result tells the day, and a game that began at a higher level is not ranke
   Object.assign(high.rules, { phase: 'over', dodged: 4, score: 4 });
   expect(outcomeOf(high)).toMatchObject({
     score: 0,
-    lines: ['1 level cleared', '4 points + 0 bonus', expect.stringMatching(/^Not ranked/)],
+    lines: ['1 level cleared, 0 slingshots', '4 points + 0 bonus', expect.stringMatching(/^Not ranked/)],
   });
 });

@@ -8,10 +8,11 @@ import { WORDS } from './words.ts';
 /** The result for the card with the high scores; a demo or autopilot game, or one that began higher, is not ranked. */
 export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Outcome | undefined {
   if (rules.phase !== 'over' || isDemo) return undefined;
-  const { score, bonus, dodged } = rules;
+  const { score, bonus, dodged, slingshots } = rules;
   const cleared = dodged - rules.firstLevel + 1;
   const points = WORDS.points(score, bonus);
-  const lines = [WORDS.cleared(cleared), points];
+  const flown = WORDS.slingshots(slingshots);
+  const lines = [`${WORDS.cleared(cleared)}, ${flown}`, points];
   const isWhole = rules.firstLevel === 1;
   if (!isWhole) lines.push(WORDS.notRanked(rules.firstLevel));
   const day = dayOfSeed(seed);
@@ -21,7 +22,8 @@ export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Ou
     lines,
     // The number after the seed of a day is that of the next day.
     ...(day === undefined ? {} : { nextSeed: 1 }),
-    share: day === undefined ? WORDS.share(dodged + 1, points) : WORDS.shareDaily(day, dodged + 1, points),
+    share:
+      day === undefined ? WORDS.share(dodged + 1, flown, points) : WORDS.shareDaily(day, dodged + 1, flown, points),
   };
 }
 

@@ -61,7 +61,10 @@ export class Rules {
   dodged = 0;
   /** Layout changes in this level; any of them cancels the bonus. */
   redraws = 0;
+  /** Slingshots of this flight. */
   slings = 0;
+  /** Slingshots of all flights that reached the goal. */
+  slingshots = 0;
   /** Thrust that the player asks for. */
   push: Push | undefined;
   /** Number of events so far, and the last few events. */
@@ -121,7 +124,7 @@ export class Rules {
   /** Starts a new game with the first layouts of the seed. */
   restart(): void {
     const dodged = this.firstLevel - 1;
-    Object.assign(this, { lives: LIVES, score: 0, bonus: 0, dodged, hasBegun: false });
+    Object.assign(this, { lives: LIVES, score: 0, bonus: 0, slingshots: 0, dodged, hasBegun: false });
     this.#scene.rewind();
     this.#newHoles(true);
     this.#newFlight();
@@ -213,6 +216,7 @@ export class Rules {
     this.score += goalPoints;
     const saved = this.options.fuel ? Math.floor((FUEL_BONUS * this.fuel) / TANK) : 0;
     if (this.redraws === 0) this.bonus += this.slings + saved;
+    this.slingshots += this.slings;
     this.dodged++;
     this.#holdBreath('level');
   }

@@ -240,7 +240,9 @@ describe('fuel, slingshots, moving holes', () => {
     run(game, (15 * radius) / 100);
     expect(game.rules.slings).toBe(1);
     win(game);
-    expect([game.rules.score, game.rules.bonus]).toEqual([1, 1 + 5]);
+    expect([game.rules.score, game.rules.bonus, game.rules.slingshots]).toEqual([1, 1 + 5, 1]);
+    game.rules.restart();
+    expect(game.rules.slingshots).toBe(0);
   });
 
   it('holes move on circles from level 5 on', () => {

@@ -58,10 +58,12 @@ const en = {
   over: 'Game over',
   dailyOver: (day: string) => `Daily challenge ${day}`,
   cleared: (levels: number) => `${levels} ${levels === 1 ? 'level' : 'levels'} cleared`,
+  slingshots: (count: number) => (count === 1 ? '1 slingshot' : `${count} slingshots`),
   points: (score: number, bonus: number) => `${score} ${score === 1 ? 'point' : 'points'} + ${bonus} bonus`,
   notRanked: (level: number) => `Not ranked: it began at level ${level}.`,
-  share: (level: number, points: string) => `Black hole: level ${level}, ${points}`,
-  shareDaily: (day: string, level: number, points: string) => `Black hole, daily ${day}: level ${level}, ${points}`,
+  share: (level: number, slingshots: string, points: string) => `Black hole: level ${level}, ${slingshots}, ${points}`,
+  shareDaily: (day: string, level: number, slingshots: string, points: string) =>
+    `Black hole, daily ${day}: level ${level}, ${slingshots}, ${points}`,
 };
 
 export type Words = typeof en;
@@ -133,10 +135,12 @@ const de: Words = {
   over: 'Spiel vorbei',
   dailyOver: (day) => `Tagesaufgabe ${day}`,
   cleared: (levels) => `${levels} ${levels === 1 ? 'Stufe' : 'Stufen'} geschafft`,
+  slingshots: (count) => (count === 1 ? '1 Swing-by' : `${count} Swing-bys`),
   points: (score, bonus) => `${score} ${score === 1 ? 'Punkt' : 'Punkte'} + ${bonus} Bonus`,
   notRanked: (level) => `Ohne Wertung: Es begann auf Stufe ${level}.`,
-  share: (level, points) => `Schwarzes Loch: Stufe ${level}, ${points}`,
-  shareDaily: (day, level, points) => `Schwarzes Loch, Tagesaufgabe ${day}: Stufe ${level}, ${points}`,
+  share: (level, slingshots, points) => `Schwarzes Loch: Stufe ${level}, ${slingshots}, ${points}`,
+  shareDaily: (day, level, slingshots, points) =>
+    `Schwarzes Loch, Tagesaufgabe ${day}: Stufe ${level}, ${slingshots}, ${points}`,
 };
 
 export const WORDS_BY_LANGUAGE: Readonly<Record<Language, Words>> = { en, de };

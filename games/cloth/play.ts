@@ -1,5 +1,7 @@
-/** What both views share: cuts, the sound of a tear, its film, and the player's picture. */
+/** What both views share: cuts, air that the player blows, the sound of a tear, its film, and the player's picture. */
 import { element, Synth, showHint, type ViewContext } from '@principia/shell';
+import { blow, type JetAxis } from './air-jet.ts';
+import { createBlowButton } from './blow-button.ts';
 import type { ClothPrint } from './cloth-print.ts';
 import { createPrintButtons } from './print-buttons.ts';
 import type { Settings } from './settings.ts';
@@ -20,23 +22,37 @@ export interface Play {
 /** Slow motion sounds two octaves lower. */
 const SLOW = 0.25;
 const HALF_WIDTH = (CLOTH.columns * CLOTH.spacing) / 2;
+/** Time between two puffs of the sound of blowing, s. */
+const PUFF = 0.2;
 
-/** @param place position of a node on the canvas, CSS pixels */
+/**
+ * @param place position of a node on the canvas, CSS pixels
+ * @param axisUnder the line of sight through a place on the canvas, CSS pixels
+ */
 export function createPlay(
   context: ViewContext<Settings, ClothRun>,
   canvas: HTMLCanvasElement,
   print: ClothPrint,
   place: (node: number) => { x: number; y: number },
+  axisUnder: (x: number, y: number) => JetAxis,
 ): Play {
   const { element: parent } = context;
   const synth = new Synth();
   const style = element('style', '', {}, STYLE);
   parent.append(style);
-  const removeButtons = createPrintButtons(parent, print, context.showMessage);
+  const row = element('div', 'cloth-print');
+  parent.append(row);
+  const removeButtons = createPrintButtons(row, print, context.showMessage);
+  const blowing = createBlowButton(parent, row, canvas, {
+    isSpaceHeld: context.isSpaceHeld,
+    blow: (x, y) => blow(context.sim().world, axisUnder(x, y)),
+    stop: () => blow(context.sim().world, undefined),
+  });
   const removeHint = showHint(parent, WORDS.hint);
   const stopSwipes = listenToSwipes(context, canvas, place);
   let film = new TearFilm(context.sim(), parent);
   let heard = context.sim().tears.endedCount;
+  let sincePuff = 0;
   return {
     get film() {
       return film;
@@ -47,8 +63,15 @@ export function createPlay(
       if (film.time === undefined) rip(synth, tears.endedCount - heard, tears.lastX, 1);
       heard = tears.endedCount;
       rip(synth, film.update(seconds), tears.lastX, SLOW);
+      sincePuff += seconds;
+      if (blowing.isBlowing && sincePuff > PUFF) {
+        sincePuff = 0;
+        synth.noise({ frequency: 500, to: 350, loudness: 0.12, seconds: 3 * PUFF });
+      }
     },
     refresh() {
+      // The jet of a new world does not blow.
+      blowing.release();
       film.destroy();
       film = new TearFilm(context.sim(), parent);
       heard = context.sim().tears.endedCount;
@@ -57,7 +80,9 @@ export function createPlay(
       removeHint();
       stopSwipes();
       film.destroy();
+      blowing.destroy();
       removeButtons();
+      row.remove();
       style.remove();
       synth.destroy();
     },
@@ -87,10 +112,16 @@ const STYLE = `
   color: var(--ink); font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation }
 .cloth-button:hover { background: #2b3766 }
 .cloth-button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.cloth-button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
+.cloth-ring { position: absolute; left: -36px; top: -36px; width: 72px; height: 72px; box-sizing: border-box; border-radius: 50%;
+  border: 2px solid #cfe0ff; box-shadow: 0 0 24px #cfe0ff80, inset 0 0 24px #cfe0ff59; pointer-events: none }
+.cloth-ring[hidden] { display: none }
 .cloth-again { position: absolute; left: 50%; bottom: max(72px, calc(env(safe-area-inset-bottom) + 72px)); translate: -50% 0;
   white-space: nowrap; background: var(--accent); border-color: transparent; color: #1c1503 }
 .cloth-again:hover { background: #ffd38a }
 @media (min-height: 480px) { .game-hint { bottom: 72px } }
+/* The hint lies beside the buttons. */
+@media (max-height: 479px) { .game:has(.cloth-print) .game-hint { left: 264px } }
 .cloth-film { position: absolute; left: 16px; right: 16px; bottom: 84px; margin: 0; text-align: center; pointer-events: none;
   font-weight: 600; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .cloth-button { height: 44px } }

@@ -3,9 +3,12 @@ import { element } from '@principia/shell';
 import type { ClothPrint } from './cloth-print.ts';
 import { WORDS } from './words.ts';
 
-/** @returns a function that takes the buttons away */
+/**
+ * @param row of buttons that gets these
+ * @returns a function that takes the buttons away
+ */
 export function createPrintButtons(
-  parent: HTMLElement,
+  row: HTMLElement,
   print: ClothPrint,
   showMessage: (sentence: string) => void,
 ): () => void {
@@ -13,8 +16,7 @@ export function createPrintButtons(
   const choose = element('button', 'cloth-button', { type: 'button' }, WORDS.print);
   choose.title = WORDS.printHint;
   const remove = element('button', 'cloth-button', { type: 'button' }, WORDS.takeOff);
-  const row = element('div', 'cloth-print', {}, choose, remove, input);
-  parent.append(row);
+  row.append(choose, remove, input);
   const show = () => {
     remove.hidden = print.canvas === undefined;
   };
@@ -52,6 +54,6 @@ export function createPrintButtons(
   show();
   return () => {
     stop.abort();
-    row.remove();
+    for (const each of [choose, remove, input]) each.remove();
   };
 }

@@ -1,5 +1,6 @@
 import { bodies, momentum, restore, snapshot, step } from '@principia/physics';
 import { expect, it } from 'vitest';
+import { blow } from './air-jet.ts';
 import { settings } from './settings.ts';
 import { applyValue, brokenThreads, CLOTH, createSim, cutAlong, threadCount } from './sim.ts';
 
@@ -80,4 +81,28 @@ it('a swipe cuts the threads that it crosses, and a rewind joins them again', ()
   expect(Position.y[sim.cloth.at(0, 30)]).toBeLessThan(-2);
   restore(sim.world, taken);
   expect(threadCount(sim)).toBe(before);
+});
+
+it('a jet of air pushes the cloth away where it blows, tears no thread, and leaves it alone when it stops', () => {
+  const still = run(2.5, 0, {}, 3);
+  const middle = still.cloth.at(32, 20);
+  const { Position } = still.world.components;
+  blow(still.world, { through: { x: 0, y: 0, z: 5 }, along: { x: 0, y: 0, z: -1 } });
+  for (let i = 0; i < 60; i++) step(still.world, still.dt);
+  expect(Position.z[middle]).toBeLessThan(-0.2);
+  expect(Math.abs(Position.z[still.cloth.at(0, 20)])).toBeLessThan(-0.3 * Position.z[middle]);
+  expect(brokenThreads(still)).toBe(0);
+  blow(still.world, undefined);
+  for (let i = 0; i < 600; i++) step(still.world, still.dt);
+  expect(Math.abs(Position.z[middle])).toBeLessThan(0.05);
+});
+
+it('in 2D a jet of air drives the cloth apart from where it blows', () => {
+  const { world, cloth, dt } = run(2.5, 0);
+  const { Position } = world.components;
+  const [left, right] = [cloth.at(20, 36), cloth.at(44, 36)];
+  const before = Position.x[right] - Position.x[left];
+  blow(world, { through: { x: 0, y: -0.8, z: 0 }, along: { x: 0, y: 0, z: 0 } });
+  for (let i = 0; i < 30; i++) step(world, dt);
+  expect(Position.x[right] - Position.x[left]).toBeGreaterThan(before + 0.02);
 });

@@ -59,9 +59,15 @@ export async function openView3D(context: ViewContext<Settings, ClothRun>, print
     point.set(x, y, z).project(camera);
     return { x: ((point.x + 1) / 2) * viewport.width, y: ((1 - point.y) / 2) * viewport.height };
   };
-  const play = createPlay(context, canvas, print, (node) => {
+  const place = (node: number) => {
     const { x, y, z } = context.sim().world.components.Position;
     return toScreen(x[node], y[node], z[node]);
+  };
+  const play = createPlay(context, canvas, print, place, (x, y) => {
+    const through = camera.position;
+    point.set((2 * x) / viewport.width - 1, 1 - (2 * y) / viewport.height, 0.5).unproject(camera);
+    const { x: dx, y: dy, z: dz } = point.sub(through).normalize();
+    return { through: { x: through.x, y: through.y, z: through.z }, along: { x: dx, y: dy, z: dz } };
   });
   return {
     canvas,

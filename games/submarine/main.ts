@@ -1,5 +1,5 @@
 /** A submarine that brings up crates from a dark sea, drawn by pixi.js. */
-import { FOUR_WAYS, startGame } from '@principia/shell';
+import { FOUR_WAYS, helpLines, startGame } from '@principia/shell';
 import { outcomeOf, reportState } from './report.ts';
 import { settings } from './settings.ts';
 import { createGame } from './sim.ts';
@@ -24,5 +24,5 @@ await startGame({
   renderers: {
     pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },
   },
-  help: Object.values(WORDS.help).map(([keys, text]) => [keys, text] as const),
+  help: helpLines(WORDS.help),
 });

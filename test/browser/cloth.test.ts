@@ -4,7 +4,7 @@ import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { CLOTH } from '../../games/cloth/sim.ts';
 import { body, fingersOf, frames, loseGraphicsCard, pictureOf, playGame, state, steps } from '../support/game-page.ts';
-import { drag, fingerOf, focus, mouseOf, windowFor } from '../support/hands.ts';
+import { drag, fingerOf, focus, middleOf, mouseOf, tap, windowFor } from '../support/hands.ts';
 import { gridOf } from '../support/picture-grid.ts';
 
 const { open: play } = playGame('cloth', { viewport: { width: 900, height: 600 }, hasTouch: true });
@@ -15,6 +15,14 @@ const broken = async (page: Page) => ((await state(page)).game as { broken: numb
 async function nodePlace(page: Page, column: number, row: number) {
   const { screen } = await body(page, CLOTH.columns * row + column);
   return screen as { x: number; y: number };
+}
+
+const MIDDLE = CLOTH.columns * 20 + 32;
+
+/** Distance between two nodes left and right of the middle, m. */
+async function widthOf(page: Page): Promise<number> {
+  const [left, right] = [await body(page, MIDDLE - 6), await body(page, MIDDLE + 6)];
+  return right.x - left.x;
 }
 
 describe('the cloth', () => {
@@ -96,6 +104,38 @@ describe('the cloth', () => {
     await drag(pointer, { x: Math.max(2, left.x - 30), y: left.y + 3 }, { x: right.x + 20, y: right.y + 3 }, 6);
     await steps(page, 120);
     expect(await lowest()).toBeLessThan(before - 0.5);
+  });
+
+  it.each([
+    ['mouse', 'three'],
+    ['touch', 'three'],
+    ['mouse', 'pixi'],
+  ] as const)('is blown at by %s after a button, without being dragged or cut: %s', async (means, renderer) => {
+    const page = await play(`renderer=${renderer}&wind=0&manual`, windowFor(means));
+    await steps(page, 60);
+    const at = await nodePlace(page, 32, 20);
+    const threads = async () => ((await state(page)).game as { threads: number }).threads;
+    const before = { threads: await threads(), width: await widthOf(page), z: (await body(page, MIDDLE)).z };
+    const pointer = means === 'touch' ? await fingerOf(page) : mouseOf(page);
+    const button = page.locator('.cloth-button', { hasText: 'Blow' });
+    await tap(pointer, await middleOf(button));
+    expect(await button.getAttribute('aria-pressed')).toBe('true');
+    await pointer.press(at);
+    expect((await state(page)).dragged).toEqual([]);
+    await steps(page, 40);
+    if (renderer === 'three') expect((await body(page, MIDDLE)).z).toBeLessThan(before.z - 0.15);
+    else expect(await widthOf(page)).toBeGreaterThan(before.width + 0.01);
+    await pointer.move({ x: at.x + 30, y: at.y });
+    await pointer.release();
+    await steps(page, 600);
+    expect(Math.abs((await body(page, MIDDLE)).z - before.z)).toBeLessThan(0.05);
+    expect(Math.abs((await widthOf(page)) - before.width)).toBeLessThan(0.01);
+    expect(await threads()).toBe(before.threads);
+    // The button gives the drag back.
+    await tap(pointer, await middleOf(button));
+    await pointer.press(await nodePlace(page, 32, 20));
+    expect((await state(page)).dragged.length).toBeGreaterThan(5);
+    await pointer.release();
   });
 
   it('tears under its own weight once keys have made its threads weak', async () => {

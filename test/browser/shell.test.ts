@@ -351,6 +351,23 @@ describe('attention', () => {
     expect(await frame()).not.toBe('none');
   });
 
+  it('keeps sliders from left to right where the page runs from right to left', async () => {
+    const page = await open('manual');
+    const slider = page.locator('.game-side .lil-slider').first();
+    const box = (await slider.boundingBox()) as { x: number; y: number; width: number; height: number };
+    const numbers = Object.entries((await state(page)).values).filter(([, value]) => typeof value === 'number');
+    const [[name]] = numbers;
+    const pressAt = async (share: number) => {
+      await page.mouse.click(box.x + share * box.width, box.y + box.height / 2);
+      return (await state(page)).values[name];
+    };
+    const values = [await pressAt(0.25), await pressAt(0.75)];
+    await page.evaluate(() => document.documentElement.setAttribute('dir', 'rtl'));
+    expect(await slider.boundingBox()).toEqual(box);
+    expect([await pressAt(0.25), await pressAt(0.75)]).toEqual(values);
+    expect(values[0]).toBeLessThan(Number(values[1]));
+  });
+
   it('leads home', async () => {
     const page = await open('manual');
     expect(await page.locator('.game-bar a[title="All games"]').getAttribute('href')).toBe('../index.html');

@@ -73,6 +73,21 @@ it('dives by the touch pad of a phone', async () => {
   expect((await told(page)).fill).toBeCloseTo(0.4 + 0.22, 2);
 });
 
+it('names fingers and buttons in the help of a phone, and keys elsewhere', async () => {
+  const inputsOf = async (page: Page) => {
+    await page.keyboard.press('h');
+    const terms = page.locator('.game-help dt');
+    await terms.first().waitFor();
+    return (await terms.allTextContents()).map((term) => term.trim());
+  };
+  const phone = await open('manual', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const touched = await inputsOf(phone);
+  expect(touched).toContain('Hold a finger');
+  expect(touched).toContain('●, tap');
+  expect(touched.join()).not.toMatch(/mouse|Enter|click/);
+  expect(await inputsOf(await open('manual'))).toContain('X, Enter, ●, click');
+});
+
 it.each([
   [1280, 800],
   [390, 844],
