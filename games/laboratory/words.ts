@@ -48,6 +48,7 @@ const en = {
   double: 'Double it',
   doubleHint: 'Twice as many, until 60 pictures a second are too many',
   drag: ['Drag a body', 'move it, release to throw it'],
+  press: 'Press the picture',
   settings: {
     integrator: ['Integrator', 'The scheme that moves the bodies in steps'],
     ghosts: ['Ghosts', 'The same example run beside this one: rings in the picture, thin lines in the plots'],
@@ -166,6 +167,7 @@ const de: Words = {
   double: 'Verdoppeln',
   doubleHint: 'Doppelt so viele, bis 60 Bilder pro Sekunde zu viel sind',
   drag: ['Einen Körper ziehen', 'bewegt ihn, loslassen wirft ihn'],
+  press: 'Auf das Bild drücken',
   settings: {
     integrator: ['Integrator', 'Das Verfahren, das die Körper in Schritten bewegt'],
     ghosts: ['Geister', 'Dasselbe Beispiel läuft daneben noch einmal: Ringe im Bild, dünne Linien in den Diagrammen'],
