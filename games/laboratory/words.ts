@@ -116,6 +116,9 @@ const en = {
     noModule: (name: string, known: string) => `There is no module “${name}”. Code here can import ${known}.`,
     noExample: 'The code exports no example: it must have “export default defineExample({ … })”.',
     endlessLoop: (seconds: number) => `This loop did not come to an end within ${seconds} s.`,
+    printsTooMuch: (lines: number) => `The code prints more than ${lines} lines at once: is there a loop that prints?`,
+    notKept:
+      'This browser keeps nothing for this page, and your version cannot run without: allow it to store data here, or leave its private mode.',
     endless: (seconds: number) => `The code did not come to an end within ${seconds} s: is there a loop without end?`,
   },
 };
@@ -234,6 +237,10 @@ const de: Words = {
     noModule: (name, known) => `Ein Modul „${name}“ gibt es nicht. Code kann hier ${known} importieren.`,
     noExample: 'Der Code exportiert kein Beispiel: Darin muss „export default defineExample({ … })“ stehen.',
     endlessLoop: (seconds) => `Diese Schleife kam binnen ${seconds} s nicht zum Ende.`,
+    printsTooMuch: (lines) =>
+      `Der Code gibt mehr als ${lines} Zeilen auf einmal aus: Schreibt eine Schleife auf die Konsole?`,
+    notKept:
+      'Dieser Browser speichert für diese Seite nichts, und ohne das läuft deine Fassung nicht: Erlaube der Seite, Daten zu speichern, oder verlasse den privaten Modus.',
     endless: (seconds) => `Der Code kam binnen ${seconds} s nicht zum Ende: Hat er eine endlose Schleife?`,
   },
 };

@@ -416,6 +416,35 @@ describe('the code of an example', () => {
     expect(await consoleOf(page)).toEqual([]);
   });
 
+  it('is stopped where it prints a million lines, in a sentence with its line', async () => {
+    const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
+    await page.waitForSelector('.lab-code textarea');
+    await edit(page, 'const body =', 'for (let i = 0; i < 1e6; i++) console.log(i); const body =');
+    expect(await note(page)).toMatch(/^Line \d+: The code prints more than 10000 lines/);
+    await steps(page, 10);
+    expect((await state(page)).tick).toBe(10);
+  });
+
+  it('says so where the browser keeps nothing, and takes the original back', async () => {
+    const refuse = () => {
+      Object.defineProperty(globalThis, 'sessionStorage', {
+        get() {
+          throw new DOMException('Not allowed.', 'SecurityError');
+        },
+      });
+    };
+    const page = await laboratory.open('example=ch05-floating-ball&code=on&manual', { prepare: refuse });
+    await page.waitForSelector('.lab-code textarea');
+    const original = await page.inputValue('.lab-code textarea');
+    await edit(page, "title: 'A ball thrown into water'", "title: 'A ball of my own'");
+    expect(await note(page)).toMatch(/^This browser keeps nothing for this page/);
+    await steps(page, 10);
+    await Promise.all([page.waitForEvent('framenavigated'), page.locator('.lab-code button:text("Original")').click()]);
+    await ready(page);
+    await page.waitForSelector('.lab-code textarea');
+    expect(await page.inputValue('.lab-code textarea')).toBe(original);
+  });
+
   it('names the line of an error, survives a loop without end, and runs what was changed', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
     await page.waitForSelector('.lab-code textarea');
