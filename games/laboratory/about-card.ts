@@ -34,7 +34,14 @@ export function createAboutCard(parent: HTMLElement, example: Example): GameCard
   const title = element('b', '', { lang: 'en' }, example.title);
   const heading = element('h2', '', {}, `${WORDS.chapter(example.chapter)} · `, title);
   const card = element('section', 'game-card lab-about', { 'aria-label': WORDS.about }, heading, about);
-  card.append(element('h2', '', {}, WORDS.tryThis), tries, ...actionsOf(example), ...buttonsOf(example), neighbours);
+  card.append(
+    element('h2', '', {}, WORDS.tryThis),
+    tries,
+    ...actionsOf(example),
+    ...pointerOf(example),
+    ...buttonsOf(example),
+    neighbours,
+  );
   parent.prepend(card);
   return { show() {} };
 }
@@ -62,6 +69,12 @@ function actionsOf({ actions }: Example): HTMLElement[] {
     row.append(button);
   }
   return [row];
+}
+
+/** What a press on the picture does. */
+function pointerOf({ pointer }: Example): HTMLElement[] {
+  if (pointer === undefined) return [];
+  return [element('p', 'lab-pointer', {}, `${WORDS.press}: `, element('span', '', { lang: 'en' }, pointer.about))];
 }
 
 /** Presets, and the address of the present moment. */

@@ -3,7 +3,7 @@
 import { copyLink, element } from '@principia/shell';
 import { announceCover } from './covers.ts';
 import { NEW, NEW_SOURCE } from './new-example.ts';
-import { keepOwnCode, linkWith, ownCode } from './own-code.ts';
+import { forgetOwnCode, keepOwnCode, linkWith, ownCode } from './own-code.ts';
 import { CodeError } from './run-code.ts';
 import { SOURCES } from './sources.gen.ts';
 import { tryCode } from './try-code.ts';
@@ -49,7 +49,7 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
   };
   add(words.run, words.runHint, () => run(id, text.value, report));
   add(words.original, words.originalHint, () => {
-    keepOwnCode(id, undefined);
+    forgetOwnCode(id);
     location.hash = '';
     location.reload();
   });

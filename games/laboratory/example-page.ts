@@ -67,6 +67,7 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       ...controlsOf(example),
       help: [
         ...Object.values(example.actions).map(({ key, about }) => [keyName(key), about] as const),
+        ...(example.pointer === undefined ? [] : [[WORDS.press, example.pointer.about] as const]),
         [WORDS.drag[0], WORDS.drag[1]],
       ],
     },
@@ -148,12 +149,18 @@ function simulationOf(example: Example, first: ExampleRun, settings: Settings, c
   };
 }
 
-function rendererOf({ dimensions }: Example): Readonly<Record<string, Renderer<Settings, LabRun>>> {
+function rendererOf({ dimensions, pointer }: Example): Readonly<Record<string, Renderer<Settings, LabRun>>> {
   return dimensions === 3
     ? {
         three: { label: '3D', dimensions, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
       }
-    : { pixi: { label: '2D', dimensions, open: async (context) => (await import('./view-2d.ts')).openView(context) } };
+    : {
+        pixi: {
+          label: '2D',
+          dimensions,
+          open: async (context) => (await import('./view-2d.ts')).openView(context, pointer),
+        },
+      };
 }
 
 /** The actions of an example as keys and buttons of the shell. */

@@ -1,4 +1,5 @@
 /** The reader's own version of an example: kept for this tab, and carried by links. */
+import { WORDS } from './words.ts';
 
 const keyOf = (id: string) => `laboratory-code:${id}`;
 
@@ -12,10 +13,22 @@ export function ownCode(id: string): string | undefined {
   }
 }
 
-/** Keeps a version for this tab, or removes it. @throws Error if the browser refuses storage */
-export function keepOwnCode(id: string, source: string | undefined): void {
-  if (source === undefined) sessionStorage.removeItem(keyOf(id));
-  else sessionStorage.setItem(keyOf(id), source);
+/** Keeps a version for this tab. @throws Error if the browser refuses storage */
+export function keepOwnCode(id: string, source: string): void {
+  try {
+    sessionStorage.setItem(keyOf(id), source);
+  } catch {
+    throw new Error(WORDS.code.notKept);
+  }
+}
+
+/** Removes the version of this tab, if there is one. */
+export function forgetOwnCode(id: string): void {
+  try {
+    sessionStorage.removeItem(keyOf(id));
+  } catch {
+    // A browser that refuses storage keeps nothing.
+  }
 }
 
 /** The address of the present page, with a version of its example. */

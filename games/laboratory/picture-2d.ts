@@ -2,7 +2,7 @@
 
 import type { BodySource } from '@principia/render-core';
 import { createBodyLayer, createTrailLayer } from '@principia/render-pixi';
-import { type ExampleRun, frameOf, now, type Point } from '@principia/scenes/examples';
+import { COLORS, type ExampleRun, frameOf, now, type Point } from '@principia/scenes/examples';
 import type { Picture as PixiPicture } from '@principia/shell/pixi';
 import { Container, Graphics } from 'pixi.js';
 import type { LabRun, Trailing } from './lab-run.ts';
@@ -10,8 +10,13 @@ import { Pen } from './pen.ts';
 import type { Shown } from './shown.ts';
 import { TextLayer } from './text-layer.ts';
 
-/** @param shown the values of the switches of what is shown */
-export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown): PixiPicture & Trailing {
+/** @param shown the values of the switches of what is shown @param aim the line along which a pointer aims, if it does */
+export function drawPicture(
+  run: LabRun,
+  source: BodySource,
+  shown: () => Shown,
+  aim: () => { readonly from: Point; readonly to: Point } | undefined,
+): PixiPicture & Trailing {
   const { picture } = run;
   const frame = frameOf(picture);
   const container = new Container();
@@ -46,6 +51,8 @@ export function drawPicture(run: LabRun, source: BodySource, shown: () => Shown)
       body.update(alpha);
       drawSprings(run, coils, pixelsPerMetre);
       drawLive(run, live, texts, pixelsPerMetre, shown());
+      const line = aim();
+      if (line !== undefined) live.line({ ...line, color: COLORS.yellow });
     },
     recordTrails() {
       for (const trail of trails) trail.update(1);

@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { step } from '@principia/physics';
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { createLoopGuard, guardLoops } from './guard-loops.ts';
 import { NEW_SOURCE } from './new-example.ts';
 import { exampleFrom } from './run-code.ts';
@@ -90,6 +90,27 @@ test('leaves loops that end as they are, however many', async () => {
   const inFunction = `return (() => { ${code} })();`;
   const guarded = await guardLoops(`(function () { ${code} })`, 'guard');
   expect(new Function('guard', `return ${guarded}()`)(guard)).toBe(new Function(inFunction)());
+});
+
+test('ends code that prints a million lines, and names the line; a few lines are printed', async () => {
+  const log = vi.spyOn(console, 'log').mockImplementation(() => {});
+  const printing = (count: number) =>
+    exampleFrom(source.replace('const body =', `for (let i = 0; i < ${count}; i++) console.log(i); const body =`));
+  (await printing(100)).start();
+  expect(log).toHaveBeenCalledTimes(100);
+  const flood = await printing(1e6);
+  let error: unknown;
+  try {
+    flood.start();
+  } catch (reason) {
+    error = reason;
+  }
+  expect(error).toMatchObject({
+    line: lineOf('const body ='),
+    message: expect.stringContaining('more than 10000 lines'),
+  });
+  expect(log.mock.calls.length).toBeLessThan(11_000);
+  log.mockRestore();
 });
 
 test('ends a loop that begins in a step only', async () => {

@@ -2,6 +2,7 @@
 import type { Example } from '@principia/scenes/examples';
 import { MODULES } from './example-modules.gen.ts';
 import { createLoopGuard, guardLoops } from './guard-loops.ts';
+import { limitedConsole } from './limited-console.ts';
 import { WORDS } from './words.ts';
 
 /** Name of the source in stack traces. */
@@ -34,10 +35,11 @@ export async function exampleFrom(source: string): Promise<Example> {
   const guarded = await guardLoops(script, GUARD);
   const exported: { default?: unknown } = {};
   try {
-    const run = new Function('require', 'exports', GUARD, `${guarded}\n//# sourceURL=${FILE}`);
+    const run = new Function('require', 'exports', 'console', GUARD, `${guarded}\n//# sourceURL=${FILE}`);
     run(
       (name: string) => modules.get(name),
       exported,
+      limitedConsole((message) => codeError(new Error(message))),
       createLoopGuard((message, line) => new CodeError(message, line)),
     );
   } catch (error) {

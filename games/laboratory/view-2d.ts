@@ -1,17 +1,21 @@
 /** The view of an example in two dimensions, drawn by pixi.js. */
-import { frameOf } from '@principia/scenes/examples';
+import { type Example, frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import type { LabRun } from './lab-run.ts';
 import { disturb, showing, trailing } from './on-display.ts';
 import { drawPicture } from './picture-2d.ts';
+import { listenToPresses, type Presses } from './presses.ts';
 
-export async function openView(context: ViewContext<Settings, LabRun>): Promise<View> {
+/** @param pointer what presses on the picture do, if anything */
+export async function openView(context: ViewContext<Settings, LabRun>, pointer: Example['pointer']): Promise<View> {
+  let presses: Presses | undefined;
+  const aim = () => (pointer?.aims ? presses?.aim() : undefined);
   const view = await openPixiView(context, {
     bounds: ({ picture }) => frameOf(picture).bounds,
     yDown: ({ picture }) => picture.yDown ?? false,
     paint(run, source) {
-      const picture = drawPicture(run, source, () => context.values());
+      const picture = drawPicture(run, source, () => context.values(), aim);
       trailing(picture.recordTrails);
       return {
         ...picture,
@@ -22,5 +26,14 @@ export async function openView(context: ViewContext<Settings, LabRun>): Promise<
       };
     },
   });
-  return showing(view);
+  if (pointer === undefined) return showing(view);
+  const listening = listenToPresses(context, view);
+  presses = listening;
+  return showing({
+    ...view,
+    destroy() {
+      listening.destroy();
+      view.destroy();
+    },
+  });
 }

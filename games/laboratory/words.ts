@@ -48,6 +48,7 @@ const en = {
   double: 'Double it',
   doubleHint: 'Twice as many, until 60 pictures a second are too many',
   drag: ['Drag a body', 'move it, release to throw it'],
+  press: 'Press the picture',
   settings: {
     integrator: ['Integrator', 'The scheme that moves the bodies in steps'],
     ghosts: ['Ghosts', 'The same example run beside this one: rings in the picture, thin lines in the plots'],
@@ -115,6 +116,9 @@ const en = {
     noModule: (name: string, known: string) => `There is no module “${name}”. Code here can import ${known}.`,
     noExample: 'The code exports no example: it must have “export default defineExample({ … })”.',
     endlessLoop: (seconds: number) => `This loop did not come to an end within ${seconds} s.`,
+    printsTooMuch: (lines: number) => `The code prints more than ${lines} lines at once: is there a loop that prints?`,
+    notKept:
+      'This browser keeps nothing for this page, and your version cannot run without: allow it to store data here, or leave its private mode.',
     endless: (seconds: number) => `The code did not come to an end within ${seconds} s: is there a loop without end?`,
   },
 };
@@ -166,6 +170,7 @@ const de: Words = {
   double: 'Verdoppeln',
   doubleHint: 'Doppelt so viele, bis 60 Bilder pro Sekunde zu viel sind',
   drag: ['Einen Körper ziehen', 'bewegt ihn, loslassen wirft ihn'],
+  press: 'Auf das Bild drücken',
   settings: {
     integrator: ['Integrator', 'Das Verfahren, das die Körper in Schritten bewegt'],
     ghosts: ['Geister', 'Dasselbe Beispiel läuft daneben noch einmal: Ringe im Bild, dünne Linien in den Diagrammen'],
@@ -232,6 +237,10 @@ const de: Words = {
     noModule: (name, known) => `Ein Modul „${name}“ gibt es nicht. Code kann hier ${known} importieren.`,
     noExample: 'Der Code exportiert kein Beispiel: Darin muss „export default defineExample({ … })“ stehen.',
     endlessLoop: (seconds) => `Diese Schleife kam binnen ${seconds} s nicht zum Ende.`,
+    printsTooMuch: (lines) =>
+      `Der Code gibt mehr als ${lines} Zeilen auf einmal aus: Schreibt eine Schleife auf die Konsole?`,
+    notKept:
+      'Dieser Browser speichert für diese Seite nichts, und ohne das läuft deine Fassung nicht: Erlaube der Seite, Daten zu speichern, oder verlasse den privaten Modus.',
     endless: (seconds) => `Der Code kam binnen ${seconds} s nicht zum Ende: Hat er eine endlose Schleife?`,
   },
 };

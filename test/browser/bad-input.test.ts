@@ -15,6 +15,8 @@ const games = [
   ['solar-system', 'three'],
   ['submarine', 'pixi'],
   ['flight-simulator', 'three'],
+  ['laboratory', 'pixi', 'example=ch05-floating-ball'],
+  ['laboratory', 'three', 'example=ch15-bouncing-ball-3d'],
 ] as const;
 
 /** A world that goes on when it is told to: whatever happened did not kill it. */
@@ -35,10 +37,12 @@ function withoutWebGL(): void {
   Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
 }
 
-describe.each(games)('%s in %s', (game, renderer) => {
+const pages = games.map(([game, renderer, query = '']) => [game, renderer, query] as const);
+
+describe.each(pages)('%s in %s', (game, renderer, own) => {
   const played = playGame(game, { viewport: { width: 640, height: 420 }, hasTouch: true });
   const open = (query = '', options: Parameters<typeof played.open>[1] = {}) =>
-    played.open(`renderer=${renderer}&${query}`, options);
+    played.open(`${own}&renderer=${renderer}&${query}`, options);
 
   it('says so where there is no WebGL, and the world is there all the same', async () => {
     const page = await open('manual', { prepare: withoutWebGL, until: 'game' });

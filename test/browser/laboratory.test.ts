@@ -4,7 +4,7 @@ import { COLORS } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { body, frames, playGame, ready, state, steps } from '../support/game-page.ts';
+import { body, fingersOf, frames, playGame, ready, state, steps } from '../support/game-page.ts';
 import { playAtRandom } from '../support/random-input.ts';
 
 /** Half seconds of random input for every example: a few in each run, more with `RANDOM_INPUT=120`, which is a minute. */
@@ -144,6 +144,66 @@ describe('a ball that is dragged', () => {
     await steps(page, 60);
     // With y downwards; half a second of 360 px/s² is more than the 20 px that are asked for.
     expect((await body(page, 0)).y).toBeGreaterThan(height + 20);
+  });
+});
+
+describe('a press on the picture', () => {
+  /** Place on the page of a point of the world, by those of two bodies. */
+  async function pageOf(page: Page, at: { x: number; y: number }) {
+    const [a, b] = await Promise.all([body(page, 1), body(page, 2)]);
+    const stage = (await page.locator('.game-stage').boundingBox()) as { x: number; y: number };
+    const [p, q] = [a.screen, b.screen] as { x: number; y: number }[];
+    return {
+      x: stage.x + p.x + ((at.x - a.x) * (q.x - p.x)) / (b.x - a.x),
+      y: stage.y + p.y + ((at.y - a.y) * (q.y - p.y)) / (b.y - a.y),
+    };
+  }
+
+  it('places a planet, on a circle, or with the velocity that a drag draws; a second finger takes it back', async () => {
+    const page = await laboratory.open('example=ch10-multiple-orbiters&manual', { hasTouch: true });
+    const last = async () => body(page, (await state(page)).count - 1);
+    const { count: bodies } = await state(page);
+    const from = await pageOf(page, { x: 520, y: 380 });
+    await page.mouse.click(from.x, from.y);
+    expect((await state(page)).count).toBe(bodies + 1);
+    const circling = await last();
+    expect([circling.x, circling.y].map((value, i) => Math.abs(value - [520, 380][i]) < 3)).toEqual([true, true]);
+    // At right angles to the radius, at √(GM/r).
+    expect(Math.abs((circling.x - 400) * circling.vx + (circling.y - 300) * circling.vy)).toBeLessThan(1e-6);
+    expect(Math.hypot(circling.vx, circling.vy)).toBeCloseTo(Math.sqrt(1e6 / Math.hypot(120, 80)), 0);
+    const start = await pageOf(page, { x: 250, y: 180 });
+    const end = await pageOf(page, { x: 310, y: 210 });
+    await page.mouse.move(start.x, start.y);
+    await page.mouse.down();
+    await page.mouse.move(end.x, end.y, { steps: 3 });
+    expect((await state(page)).count).toBe(bodies + 1);
+    await page.mouse.up();
+    const thrown = await last();
+    expect(Math.hypot(thrown.vx - 60, thrown.vy - 30)).toBeLessThan(3);
+    const touch = await fingersOf(page);
+    await touch('touchStart', [{ ...start, id: 0 }]);
+    await touch('touchStart', [
+      { ...start, id: 0 },
+      { ...end, id: 1 },
+    ]);
+    await touch('touchEnd');
+    expect((await state(page)).count).toBe(bodies + 2);
+    expect(await page.textContent('.lab-pointer')).toContain('Press the picture: place a planet there');
+  });
+
+  it('holds as long as it lasts what an action holds', async () => {
+    const page = await laboratory.open('example=ch02-pause&manual');
+    await steps(page, 30);
+    const { x, y } = (await page.locator('.game-stage').boundingBox()) as { x: number; y: number };
+    await page.mouse.move(x + 300, y + 120);
+    await page.mouse.down();
+    await steps(page, 2);
+    const held = await body(page, 0);
+    await steps(page, 30);
+    expect((await body(page, 0)).x).toBe(held.x);
+    await page.mouse.up();
+    await steps(page, 30);
+    expect((await body(page, 0)).x).toBeGreaterThan(held.x + 20);
   });
 });
 
@@ -354,6 +414,35 @@ describe('the code of an example', () => {
     await ready(page);
     expect(page.url()).toContain('example=new');
     expect(await consoleOf(page)).toEqual([]);
+  });
+
+  it('is stopped where it prints a million lines, in a sentence with its line', async () => {
+    const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
+    await page.waitForSelector('.lab-code textarea');
+    await edit(page, 'const body =', 'for (let i = 0; i < 1e6; i++) console.log(i); const body =');
+    expect(await note(page)).toMatch(/^Line \d+: The code prints more than 10000 lines/);
+    await steps(page, 10);
+    expect((await state(page)).tick).toBe(10);
+  });
+
+  it('says so where the browser keeps nothing, and takes the original back', async () => {
+    const refuse = () => {
+      Object.defineProperty(globalThis, 'sessionStorage', {
+        get() {
+          throw new DOMException('Not allowed.', 'SecurityError');
+        },
+      });
+    };
+    const page = await laboratory.open('example=ch05-floating-ball&code=on&manual', { prepare: refuse });
+    await page.waitForSelector('.lab-code textarea');
+    const original = await page.inputValue('.lab-code textarea');
+    await edit(page, "title: 'A ball thrown into water'", "title: 'A ball of my own'");
+    expect(await note(page)).toMatch(/^This browser keeps nothing for this page/);
+    await steps(page, 10);
+    await Promise.all([page.waitForEvent('framenavigated'), page.locator('.lab-code button:text("Original")').click()]);
+    await ready(page);
+    await page.waitForSelector('.lab-code textarea');
+    expect(await page.inputValue('.lab-code textarea')).toBe(original);
   });
 
   it('names the line of an error, survives a loop without end, and runs what was changed', async () => {

@@ -2,7 +2,7 @@ import { type Integrator, PhysicsError } from '@principia/physics';
 import { checkParameter, type SceneRun } from '../scene.ts';
 import { type Check, type CheckState, type Monitor, monitor } from './check.ts';
 import { densities } from './densities.ts';
-import type { Picture } from './picture.ts';
+import type { Picture, Point } from './picture.ts';
 
 /** A parameter of an example: a number in a range, or a choice of words, whose value is the index of the word. */
 export interface ExampleParameter {
@@ -88,6 +88,23 @@ export interface ExampleAction<Run> {
   release?(run: Run): void;
 }
 
+/** What a press on the picture does where no body is, in two dimensions. Places are in the units of the world. */
+export interface ExamplePointer<Run> {
+  /** What happens, such as `place a planet, and launch it by a drag`. */
+  readonly about: string;
+  /** Draws a line from the place of the press to the pointer. */
+  readonly aims?: boolean;
+  press?(run: Run, at: Point): void;
+  move?(run: Run, at: Point, from: Point): void;
+  /** @param from the place of the press */
+  release?(run: Run, at: Point, from: Point): void;
+  /** Called instead of `release` where a second finger or the system takes the press back. */
+  cancel?(run: Run): void;
+}
+
+/** What happens to a press on the picture. */
+export type PointerEventName = 'press' | 'move' | 'release' | 'cancel';
+
 /** The definition of an example. */
 export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   /** Chapter and name, as the path of the file: `ch05-floating-ball` is in `ch05/floating-ball.ts`. */
@@ -110,6 +127,8 @@ export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   picture(run: Run, values: ValuesOf<Name>): Picture;
   /** By name; the names `up`, `down`, `left`, `right` and `action` give their place on the touch pad. */
   readonly actions?: Readonly<Record<string, ExampleAction<NoInfer<Run>>>>;
+  /** What a press on the picture does where no body is: the name of an action, or something that depends on the place. */
+  readonly pointer?: string | ExamplePointer<NoInfer<Run>>;
   readonly plots: readonly Plot<Run, ValuesOf<Name>>[];
   readonly histograms?: readonly Histogram<Run, ValuesOf<Name>>[];
   readonly checks: readonly Check<Run, ValuesOf<Name>>[];
@@ -134,6 +153,8 @@ export interface ExampleRun extends SceneRun {
   readonly histograms: readonly LiveHistogram[];
   /** Presses or releases the key of an action. */
   act(name: string, isDown: boolean): void;
+  /** Passes on what happens to a press on the picture. @param from the place of the press */
+  point(name: PointerEventName, at: Point, from: Point): void;
   /** Measures the present state for the checks; without it a check is one step late. */
   observe(): void;
   checkStates(): readonly CheckState[];
@@ -176,6 +197,7 @@ export interface Example {
   readonly parameters: Readonly<Record<string, ExampleParameter>>;
   readonly presets: readonly ExamplePreset<string>[];
   readonly actions: Readonly<Record<string, Pick<ExampleAction<never>, 'label' | 'about' | 'key'>>>;
+  readonly pointer?: Pick<ExamplePointer<never>, 'about' | 'aims'>;
   readonly tryThis: readonly string[];
   readonly checks: readonly Pick<Check<never, never>, 'label' | 'unit' | 'tolerance' | 'integrator' | 'preset'>[];
   /** Builds a run. @throws PhysicsError E_UNKNOWN, E_TYPE, E_NONFINITE, E_RANGE for invalid values */
@@ -186,6 +208,7 @@ export interface Example {
 export function defineExample<Name extends string, Run extends SceneRun>(spec: ExampleSpec<Name, Run>): Example {
   const { id, title, chapter, tags, about, dimensions = 2, duration, ends = false } = spec;
   const { parameters, presets = [], actions = {}, tryThis, checks } = spec;
+  const pointer = pointerOf(spec);
   return {
     id,
     title,
@@ -198,6 +221,7 @@ export function defineExample<Name extends string, Run extends SceneRun>(spec: E
     parameters,
     presets,
     actions,
+    ...(pointer === undefined ? {} : { pointer }),
     tryThis,
     checks,
     start(options = {}) {
@@ -205,6 +229,23 @@ export function defineExample<Name extends string, Run extends SceneRun>(spec: E
       return startRun(spec, values as ValuesOf<Name>, options);
     },
   };
+}
+
+/** @throws PhysicsError E_UNKNOWN if it names an action that does not exist */
+function pointerOf<Name extends string, Run extends SceneRun>(
+  spec: ExampleSpec<Name, Run>,
+): ExamplePointer<Run> | undefined {
+  const { id, pointer, actions = {} } = spec;
+  if (typeof pointer !== 'string') return pointer;
+  const action = actions[pointer];
+  if (action === undefined) {
+    throw new PhysicsError('E_UNKNOWN', `the example ${id} has no action "${pointer}" for its pointer.`, {
+      field: 'pointer',
+      hint: `Valid: ${Object.keys(actions).join(', ')}.`,
+    });
+  }
+  const release = (run: Run) => action.release?.(run);
+  return { about: action.about, press: (run) => action.press(run), release, cancel: release };
 }
 
 function startRun<Name extends string, Run extends SceneRun>(
@@ -222,6 +263,7 @@ function startRun<Name extends string, Run extends SceneRun>(
       ([name, { initial }]) => values[name as Name] === (preset[name as Name] ?? initial),
     );
   };
+  const pointer = pointerOf(spec);
   const watch: Monitor = monitor(run, values, spec.checks, hasValuesOf);
   return {
     ...run,
@@ -235,6 +277,9 @@ function startRun<Name extends string, Run extends SceneRun>(
     act(name, isDown) {
       if (isDown) spec.actions?.[name]?.press(run);
       else spec.actions?.[name]?.release?.(run);
+    },
+    point(name, at, from) {
+      pointer?.[name]?.(run, at, from);
     },
     observe: watch.observe,
     checkStates: watch.states,

@@ -144,6 +144,24 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     warn.mockRestore();
   });
 
+  it('takes presses on its picture without a fault, if any', () => {
+    const { pointer, dimensions } = example;
+    if (pointer === undefined) return;
+    expect([dimensions, pointer.about.length > 10]).toEqual([2, true]);
+    const run = example.start();
+    const { minX, maxX, minY, maxY } = run.picture.view;
+    const at = (x: number, y: number) => ({ x: minX + x * (maxX - minX), y: minY + y * (maxY - minY) });
+    for (let i = 0; i < 100; i++) {
+      const [from, to] = [at((i % 10) / 9, i / 99), at((i % 7) / 6, (i % 5) / 4)];
+      run.point('press', from, from);
+      for (let k = 0; k < 3; k++) step(run.world, run.dt);
+      run.point('move', to, from);
+      run.point(i % 4 === 3 ? 'cancel' : 'release', to, from);
+      step(run.world, run.dt);
+    }
+    expect(run.world.faults.faults).toEqual([]);
+  });
+
   it('holds on to nothing when it is started again and again', async () => {
     const made: WeakRef<object>[] = [];
     // Each run is looked for by itself, so that ten tell as much as fifty.

@@ -8,6 +8,7 @@ export {
   type ExampleAction,
   type ExampleOptions,
   type ExampleParameter,
+  type ExamplePointer,
   type ExamplePreset,
   type ExampleRun,
   type ExampleSpec,
@@ -15,6 +16,7 @@ export {
   type LiveHistogram,
   type LivePlot,
   type Plot,
+  type PointerEventName,
   type Series,
   type ValuesOf,
 } from './define-example.ts';

@@ -60,6 +60,7 @@ export default defineExample({
       release: ({ hold }) => void Object.assign(hold, { byKey: false }),
     },
   },
+  pointer: 'action',
   plots: [
     {
       title: 'Height',

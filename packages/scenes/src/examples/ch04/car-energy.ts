@@ -79,6 +79,7 @@ export default defineExample({
       },
     },
   },
+  pointer: 'up',
   plots: [
     {
       title: 'Speed',

@@ -1,4 +1,5 @@
 import { buoyancy, createPhysicsWorld, immersedDrag, rgba, spawn, uniformGravity } from '@principia/physics';
+import { teleport } from '../../teleport.ts';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
@@ -39,6 +40,11 @@ export default defineExample({
       trails: [{ body: ball, length: 300 }],
       arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.5 }],
     };
+  },
+  pointer: {
+    about: 'put the ball there; a drag throws it',
+    aims: true,
+    release: ({ world, ball }, at, from) => teleport(world, ball, from, { x: at.x - from.x, y: at.y - from.y }),
   },
   plots: [
     {

@@ -82,6 +82,7 @@ export default defineExample({
     };
   },
   actions: { action: { label: 'Open', about: 'open the parachute', key: 'o', press: ({ open }) => open() } },
+  pointer: 'action',
   plots: [
     {
       title: 'Speed',

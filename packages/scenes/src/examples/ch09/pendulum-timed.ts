@@ -77,6 +77,7 @@ export default defineExample({
       },
     },
   },
+  pointer: 'action',
   plots: [
     {
       title: 'Displacement',

@@ -1,6 +1,7 @@
-import { attractors, createPhysicsWorld, rgba, rungeKutta4, spawn } from '@principia/physics';
+import { attractors, createPhysicsWorld, keepState, rgba, rungeKutta4, spawn } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
 import { defineExample } from '../define-example.ts';
+import type { Point } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 
@@ -37,8 +38,23 @@ const PLANETS = [
   },
 ] as const;
 
+/** Planets that a reader may add. */
+const MAX_ADDED = 40;
+
 interface Run extends SceneRun {
   readonly planets: readonly number[];
+  /** Adds a planet; without a velocity it begins on a circle. */
+  place(at: Point, velocity?: Point): void;
+  /** Adds a planet at the next of some distances. */
+  add(): void;
+}
+
+/** Velocity on a circle about the sun: as the inner planet turns. */
+function circularVelocity(at: Point): Point {
+  const [x, y] = [at.x - SUN.x, at.y - SUN.y];
+  const r = Math.max(1, Math.sqrt(x * x + y * y));
+  const speed = Math.sqrt(GM / r);
+  return { x: (-y / r) * speed, y: (x / r) * speed };
 }
 
 /** Semi-major axis and eccentricity of the present orbit, from the energy and the angular momentum. */
@@ -64,7 +80,7 @@ export default defineExample({
   },
   presets: [{ label: 'Slower planets', values: { factor: 0.8 } }],
   build({ factor, masses }, { integrator = rungeKutta4 }): Run {
-    const world = createPhysicsWorld({ capacity: 8, forces: [attractors()], integrator });
+    const world = createPhysicsWorld({ capacity: 8 + MAX_ADDED, forces: [attractors()], integrator });
     spawn(world, { position: SUN, attractor: GM, appearance: { size: 35, color: rgba(1, 0.8, 0.3) } });
     const planets = PLANETS.map(({ at, v, mass, color }) =>
       spawn(world, {
@@ -74,7 +90,15 @@ export default defineExample({
         appearance: { size: 9, color },
       }),
     );
-    return { world, dt: 1 / 60, planets };
+    const added = { count: 0 };
+    keepState(world, added);
+    const place = (at: Point, velocity = circularVelocity(at)) => {
+      if (added.count >= MAX_ADDED) return;
+      added.count++;
+      spawn(world, { position: at, velocity, mass: 1, appearance: { size: 6, color: rgba(1, 0.9, 0.5) } });
+    };
+    const add = () => place({ x: SUN.x + 120 + 10 * (added.count % 16), y: SUN.y });
+    return { world, dt: 1 / 60, planets, place, add };
   },
   picture({ world, planets }) {
     return {
@@ -83,6 +107,17 @@ export default defineExample({
       trails: planets.map((body) => ({ body, length: 1000 })),
       arrows: planets.map((body) => velocityArrow(world, body, 0.6)),
     };
+  },
+  actions: { action: { label: 'Add', about: 'add a planet', key: 'n', press: ({ add }) => add() } },
+  pointer: {
+    about: 'place a planet there, on a circle about the sun; a drag gives it the velocity that you draw',
+    aims: true,
+    release({ place }, at, from) {
+      const velocity = { x: at.x - from.x, y: at.y - from.y };
+      // A click draws nothing.
+      if (Math.abs(velocity.x) + Math.abs(velocity.y) < 5) place(from);
+      else place(from, velocity);
+    },
   },
   plots: [
     {
@@ -122,5 +157,6 @@ export default defineExample({
   tryThis: [
     'Make the planets a thousand times heavier: nothing changes, because the sun is fixed and they do not attract each other.',
     'Make them slower: all orbits become longer ellipses, with the sun in a focus.',
+    'Press the picture anywhere: a planet begins on a circle there. Drag across, and it begins as you drew.',
   ],
 });

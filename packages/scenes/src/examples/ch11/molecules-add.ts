@@ -1,10 +1,12 @@
 import { createRandom, energy, keepState } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { COLORS } from '../picture.ts';
+import { COLORS, type Point } from '../picture.ts';
 import { addMolecule, GAS_ROOM, gasWorld } from '../support/gas.ts';
 import { distanceBetween, positionOf } from '../support/read.ts';
 
 const MAX_COUNT = 60;
+/** Radius of a molecule that the reader places, px. */
+const PLACED_RADIUS = 12;
 /** Attempts to find a free place. */
 const MAX_TRIES = 200;
 
@@ -40,6 +42,18 @@ export default defineExample({
         return;
       }
     };
+    /** Adds one that the reader throws, unless it would be in a wall or in another one. */
+    const place = (at: Point, velocity: Point) => {
+      const { minX, maxX, minY, maxY } = GAS_ROOM;
+      const isInside = Math.min(at.x - minX, maxX - at.x, at.y - minY, maxY - at.y) > PLACED_RADIUS;
+      const isFree = gas.ids.every(
+        (id) => distanceBetween(positionOf(world, id), at) > PLACED_RADIUS + Collider.radius[id],
+      );
+      if (gas.ids.length >= MAX_COUNT || !isInside || !isFree) return;
+      const id = addMolecule(world, at, velocity, PLACED_RADIUS);
+      gas.ids.push(id);
+      gas.brought += (world.components.Mass.value[id] * (velocity.x * velocity.x + velocity.y * velocity.y)) / 2;
+    };
     for (let i = 0; i < 5; i++) add();
     const dt = 1 / 60;
     world.phases.input.push(() => {
@@ -47,7 +61,7 @@ export default defineExample({
       gas.due += pause;
       add();
     });
-    return { world, dt, gas, add };
+    return { world, dt, gas, add, place };
   },
   picture() {
     const { minX, maxX, minY, maxY } = GAS_ROOM;
@@ -63,6 +77,11 @@ export default defineExample({
     };
   },
   actions: { action: { label: 'Add', about: 'add a molecule', key: 'a', press: ({ add }) => add() } },
+  pointer: {
+    about: 'place a molecule there, and throw it by a drag',
+    aims: true,
+    release: ({ place }, at, from) => place(from, { x: at.x - from.x, y: at.y - from.y }),
+  },
   plots: [
     {
       title: 'Energy',
@@ -96,6 +115,7 @@ export default defineExample({
   ],
   tryThis: [
     'Hold the key that adds molecules until the box is full: it takes sixty.',
+    'Press the picture and drag: a molecule flies off as you drew, a pixel a second for each pixel.',
     'Let them come every 0.2 s: the two lines of the first plot stay one.',
   ],
 });

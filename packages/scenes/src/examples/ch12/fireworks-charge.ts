@@ -1,6 +1,6 @@
 import { createPhysicsWorld, keepState } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { COLORS } from '../picture.ts';
+import { COLORS, type Point } from '../picture.ts';
 import { createSparkChain, SPARK_FORCES } from '../support/spark-chain.ts';
 
 const ORIGIN = { x: 350, y: 250 };
@@ -35,8 +35,8 @@ export default defineExample({
     const hand = { since: -1 };
     keepState(world, hand);
     const charge = () => (hand.since < 0 ? 0 : Math.min(5.9, world.time - hand.since));
-    const release = () => {
-      if (sparksOf(charge()) > 0) chain.launch(ORIGIN, sparksOf(charge()));
+    const release = (at: Point) => {
+      if (sparksOf(charge()) > 0) chain.launch(at, sparksOf(charge()));
       hand.since = -1;
     };
     return { world, dt: 1 / 60, chain, copies, hand, charge, release };
@@ -67,7 +67,17 @@ export default defineExample({
       press({ world, hand }) {
         hand.since = world.time;
       },
-      release: ({ release }) => release(),
+      release: ({ release }) => release(ORIGIN),
+    },
+  },
+  pointer: {
+    about: 'hold to charge, release to fire from there',
+    press({ world, hand }) {
+      hand.since = world.time;
+    },
+    release: ({ release }, at) => release(at),
+    cancel({ hand }) {
+      hand.since = -1;
     },
   },
   plots: [
@@ -113,7 +123,7 @@ export default defineExample({
     },
   ],
   tryThis: [
-    'Hold the key for five seconds, and then let go.',
+    'Hold the key, or press the picture, for five seconds, and then let go.',
     'Let go a moment before a full second: the started second does not count.',
   ],
 });

@@ -72,6 +72,7 @@ export default defineExample({
       },
     },
   },
+  pointer: 'action',
   plots: [
     {
       title: 'Angular velocity',

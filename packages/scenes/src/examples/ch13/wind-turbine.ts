@@ -62,6 +62,7 @@ export default defineExample({
       },
     },
   },
+  pointer: 'action',
   plots: [
     {
       title: 'Angular velocity',
