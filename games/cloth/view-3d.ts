@@ -21,6 +21,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from 'three';
+import type { JetAxis } from './air-jet.ts';
 import { createClothMesh } from './cloth-mesh.ts';
 import type { ClothPrint } from './cloth-print.ts';
 import { createPlay } from './play.ts';
@@ -63,12 +64,7 @@ export async function openView3D(context: ViewContext<Settings, ClothRun>, print
     const { x, y, z } = context.sim().world.components.Position;
     return toScreen(x[node], y[node], z[node]);
   };
-  const play = createPlay(context, canvas, print, place, (x, y) => {
-    const through = camera.position;
-    point.set((2 * x) / viewport.width - 1, 1 - (2 * y) / viewport.height, 0.5).unproject(camera);
-    const { x: dx, y: dy, z: dz } = point.sub(through).normalize();
-    return { through: { x: through.x, y: through.y, z: through.z }, along: { x: dx, y: dy, z: dz } };
-  });
+  const play = createPlay(context, canvas, print, place, (x, y) => lineOfSight(camera, viewport, x, y));
   return {
     canvas,
     refresh(change) {
@@ -172,3 +168,17 @@ function listenToHands(context: ViewContext<Settings, ClothRun>, orbit: OrbitCam
       context.dragging().release(pointer, velocity.x, velocity.y, velocity.z),
   });
 }
+
+/** The line from the camera through a place on the canvas, CSS pixels. */
+function lineOfSight(
+  camera: PerspectiveCamera,
+  viewport: { width: number; height: number },
+  x: number,
+  y: number,
+): JetAxis {
+  const along = new Vector3((2 * x) / viewport.width - 1, 1 - (2 * y) / viewport.height, 0.5).unproject(camera);
+  along.sub(camera.position).normalize();
+  return { through: pointOf(camera.position), along: pointOf(along) };
+}
+
+const pointOf = ({ x, y, z }: Vector3) => ({ x, y, z });
