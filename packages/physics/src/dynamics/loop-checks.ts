@@ -86,9 +86,9 @@ function rangeTest(columns: WorldColumns, { position, velocity }: Moved, weight:
 }
 
 /**
- * Returns whether a body is so near the origin that with a valid speed it would need two steps to get there from as far on
- * the other side; undefined if the step does not end with a drift by the new velocity. A body that began in that ball and
- * ends in it is not too fast; one that comes from outside is tested again where it goes.
+ * Returns whether a body is nearer to the origin than half the distance that the speed limit allows in the step; undefined if
+ * the step does not end with a drift by the new velocity. A body that starts and ends that near cannot have been too fast;
+ * one that comes from further away is tested again where it goes.
  */
 function nearOrigin(columns: WorldColumns, moved: Moved): Node | undefined {
   if (!endsWithDrift(columns, moved)) return undefined;
