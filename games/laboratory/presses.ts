@@ -1,4 +1,5 @@
 /** Presses on the picture where no body is: an example may let them place and launch bodies, or hold something down. */
+import { toWorld } from '@principia/render-core';
 import type { Point, PointerEventName } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
@@ -26,14 +27,12 @@ export function listenToPresses(context: ViewContext<Settings, LabRun>, view: Vi
   let press: Press | undefined;
 
   const placeOf = ({ clientX, clientY }: PointerEvent, { picture }: LabRun): Point => {
-    const [x, y, height] = view.camera?.() ?? [0, 0, 1];
-    const box = canvas.getBoundingClientRect();
-    const scale = height / box.height;
-    const down = clientY - box.top - box.height / 2;
-    return {
-      x: x + (clientX - box.left - box.width / 2) * scale,
-      y: y + (picture.yDown ? down : -down) * scale,
-    };
+    const [x, y, metres] = view.camera?.() ?? [0, 0, 1];
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    const up = picture.yDown ? -1 : 1;
+    const camera = { x, y: up * y, pixelsPerMetre: height / metres };
+    const at = toWorld(camera, { width, height }, clientX - left, clientY - top, { x: 0, y: 0 });
+    return { x: at.x, y: up * at.y };
   };
   const tell = (name: PointerEventName, { run, at, from }: Press) => {
     disturb(run);
