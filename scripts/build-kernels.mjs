@@ -1,5 +1,5 @@
 /**
- * Compiles the kernel modules, once for reals of each precision, and embeds them as base64: `packages/physics/kernels/
+ * Compiles the kernel modules, once for reals of each precision, and embeds them in hexadecimal digits: `packages/physics/kernels/
  * index.ts` is the module `core`, every `kernels/<feature>/module.ts` is one of its own. For each of them `src/kernels`
  * gets `<module>.gen.ts`, its interface, and the text of its builds in `f32/<module>.gen.ts` and `f64/<module>.gen.ts`:
  * the `imports` of the package put nothing in the place of a precision that a game leaves out. `src/memory/
@@ -147,10 +147,10 @@ async function buildModule({ name, entry, constants, from, quiet }) {
   const embedded = "import type { EmbeddedModule } from './decode.ts';\n";
   const [own, inF32, inF64] = filesOf(name);
   if (inF32 === undefined) {
-    const both = 'export const KERNELS: EmbeddedModule = { f32: BASE64, f64: BASE64 };\n\n';
+    const both = 'export const KERNELS: EmbeddedModule = { f32: HEX, f64: HEX };\n\n';
     return { [own]: `${embedded}\n${textOf(f64.wasm).replace('export ', '')}\n${both}${types}` };
   }
-  const imports = `import { BASE64 as F32 } from '#f32/${name}';\nimport { BASE64 as F64 } from '#f64/${name}';\n`;
+  const imports = `import { HEX as F32 } from '#f32/${name}';\nimport { HEX as F64 } from '#f64/${name}';\n`;
   const record = 'export const KERNELS: EmbeddedModule = { f32: F32, f64: F64 };\n\n';
   return {
     [inF32]: textOf(f32.wasm),
@@ -161,7 +161,7 @@ async function buildModule({ name, entry, constants, from, quiet }) {
 
 /** @param {Uint8Array} wasm */
 function textOf(wasm) {
-  return `export const BASE64 = '${Buffer.from(wasm).toString('base64')}';\n`;
+  return `export const HEX = '${Buffer.from(wasm).toString('hex')}';\n`;
 }
 
 /**

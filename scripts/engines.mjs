@@ -11,18 +11,6 @@ import { build } from 'esbuild';
 import { bundleOptions } from './lib/bundle.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 
-/** The JSC shell has no `atob`. */
-const ATOB = `globalThis.atob ??= (text) => {
-  const digits = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
-  let [bits, count, out] = [0, 0, ''];
-  for (const digit of text.replace(/=/g, '')) {
-    bits = (bits << 6) | digits.indexOf(digit);
-    count += 6;
-    if (count >= 8) out += String.fromCharCode((bits >>> (count -= 8)) & 255);
-  }
-  return out;
-};`;
-
 /** @type {readonly (readonly [name: string, program: string, install: string, run: (program: string, file: string) => Promise<string> | string])[]} */
 const ENGINES = [
   ['V8 (Node)', process.execPath, 'Node', printed],
@@ -35,7 +23,7 @@ const folder = mkdtempSync(join(tmpdir(), 'principia-engines-'));
 try {
   const file = join(folder, 'entry.js');
   const entry = bundleOptions({ entryPoints: ['test/support/engine-entry.ts'], format: 'iife', outfile: file });
-  await build({ ...entry, sourcemap: false, banner: { js: ATOB } });
+  await build({ ...entry, sourcemap: false });
   /** @type {Record<string, string> | undefined} */
   let expected;
   for (const [name, program, install, run] of ENGINES) {

@@ -8,7 +8,7 @@ const run = promisify(execFile);
 
 /**
  * No garbage collector, no checks; the comments in `docs/` say why. Names of functions change no instruction, but would
- * take 11 KB of a bundle with everything.
+ * take some 10 KB of a bundle with everything.
  */
 export const compilerFlags = [
   '-O3',

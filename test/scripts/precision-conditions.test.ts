@@ -16,7 +16,7 @@ async function bundleFor(condition?: string): Promise<string> {
 }
 
 /** The texts of kernel modules that a bundle carries; each starts with the first bytes of any WebAssembly module. */
-const textsIn = (bundle: string) => new Set(bundle.match(/AGFzbQEAAA[A-Za-z0-9+/=]+/g));
+const textsIn = (bundle: string) => new Set(bundle.match(/0061736d01000000[0-9a-f]+/g));
 
 const load = (bundle: string) => import(`data:text/javascript;base64,${Buffer.from(bundle).toString('base64')}`);
 

@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
 import { KERNELS, type KernelExports } from './core.gen.ts';
-import { decodeBase64 } from './decode.ts';
+import { decodeHex } from './decode.ts';
 import { instantiate } from './instantiate.ts';
 import { KERNELS as MATH, type KernelExports as MathKernels } from './math.gen.ts';
 
 test('both builds export the same kernels under their own names', () => {
-  const [f32, f64] = [KERNELS.f32, KERNELS.f64].map((text) => new WebAssembly.Module(decodeBase64(text)));
+  const [f32, f64] = [KERNELS.f32, KERNELS.f64].map((text) => new WebAssembly.Module(decodeHex(text)));
   expect(WebAssembly.Module.exports(f32)).toEqual(WebAssembly.Module.exports(f64));
   const kernels = instantiate<KernelExports>(KERNELS, 'f64', new WebAssembly.Memory({ initial: 1 }));
   for (const kernel of Object.values(kernels)) expect(kernel).toBeTypeOf('function');

@@ -1,7 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { compileBytes } from './compile-bytes.ts';
 import { KERNELS, type KernelExports } from './core.gen.ts';
-import { decodeBase64, type EmbeddedModule } from './decode.ts';
+import { decodeHex, type EmbeddedModule } from './decode.ts';
 
 export type Precision = 'f32' | 'f64';
 export type { KernelExports };
@@ -31,7 +31,7 @@ export function instantiate<Exports>(
   if (text === '') throw leftOut(precision);
   let module = compiled.get(text);
   if (module === undefined) {
-    module = compileBytes(decodeBase64(text));
+    module = compileBytes(decodeHex(text));
     compiled.set(text, module);
   }
   return new WebAssembly.Instance(module, { env: { memory } }).exports as Exports;
