@@ -249,7 +249,7 @@ describe('shapes of rigid bodies', () => {
 });
 
 describe.each(PRECISIONS)('rigid bodies in one place, %s', (precision) => {
-  it('88 a hundred coincident rigid bodies separate below 30 m/s', () => {
+  it('88 a hundred coincident rigid bodies separate below 3 m/s', () => {
     const world = createPhysicsWorld({ preset: rigidBodies, precision, capacity: 200 });
     const ids = spawnMany(world, 100, { position: {}, velocity: {}, collider: { shape: box(0.2, 0.2), density: 1 } });
     const { Velocity, Position } = world.components;
@@ -260,8 +260,7 @@ describe.each(PRECISIONS)('rigid bodies in one place, %s', (precision) => {
     }
     expect(allFinite(world)).toBe(true);
     expect(world.faults.faults).toEqual([]);
-    // Each pair is pushed apart at 4 m/s at most, and the outermost bodies add up the pushes of some layers.
-    expect(fastest).toBeLessThan(30);
+    expect(fastest).toBeLessThan(3);
     expect(Math.max(...[...ids].map((id) => Math.hypot(Position.x[id], Position.y[id])))).toBeGreaterThan(0.4);
   });
 

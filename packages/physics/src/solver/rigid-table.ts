@@ -8,6 +8,7 @@ import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import {
   CONTACT_EVENT_LIST_BYTES,
+  CROWD_BYTES,
   ContactEventListWord as EventWord,
   RIGID_TABLE_BYTES,
   RigidTableWord as Word,
@@ -38,7 +39,8 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 const SLEEPER_REALS = 6;
 
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) => 16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + 15 * 4;
+const rowBytes = (bytes: number) =>
+  16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + CROWD_BYTES + 16 * 4;
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
@@ -104,10 +106,19 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.poses, 8 * bytes);
   take(Word.boxes, 4 * bytes);
   take(Word.sleepers, SLEEPER_REALS * bytes + 8);
+  take(Word.crowds, CROWD_BYTES);
   const node = 4 * bytes + 8;
   take(Word.staticNodes, 2 * node);
   take(Word.movingNodes, 2 * node);
-  for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.enlarged]) {
+  for (const word of [
+    Word.flags,
+    Word.bodyGenerations,
+    Word.usedColors,
+    Word.awake,
+    Word.treeRows,
+    Word.enlarged,
+    Word.crowded,
+  ]) {
     take(word, 4);
   }
   for (const word of [

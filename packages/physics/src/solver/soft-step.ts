@@ -1,7 +1,7 @@
 // Rigid bodies in soft steps: contacts and joints are damped springs, solved implicitly in sub-steps.
 //
 //   once a step      broad phase, narrow phase, prepare                   kernels/collision, kernels/solver/2d
-//   in a sub-step    forces; velocities; warm start; solve; positions; relax
+//   in a sub-step    forces; velocities; warm start; solve; positions; relax; crowds are kept from bursting (crowds.ts)
 //   once a step      restitution, impulses kept for the next step
 //
 // Forces are those of the world, evaluated in every sub-step, so that drag, wind and springs act on rigid bodies, with their
@@ -147,19 +147,23 @@ function advance(
   kernels.updateContacts(at);
   kernels.colorContacts(at);
   kernels.prepareContacts(at);
+  const crowded = kernels.findCrowds(at) > 0;
   for (let s = 0; s < substeps; s++) {
     evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
+    if (crowded) kernels.measureCrowds(at);
     if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
     kernels.holdLocked(at);
     if (joints !== 0) solveJoints(kernels, joints);
     kernels.solveContacts(at);
     kernels.holdLocked(at);
+    if (crowded) kernels.slowCrowds(at);
     kernels.integratePositions(at);
     if (joints !== 0) relaxJoints(kernels, joints);
     kernels.relaxContacts(at);
     kernels.holdLocked(at);
+    if (crowded) kernels.calmCrowds(at);
     kernels.writeBodies(at);
   }
   kernels.applyRestitution(at);

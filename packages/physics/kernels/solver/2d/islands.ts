@@ -118,7 +118,7 @@ function joinBodies(t: RigidTable, a: i32, b: i32): void {
 }
 
 // The first body of an island, by paths that are halved on the way.
-function islandOf(t: RigidTable, row: i32): i32 {
+export function islandOf(t: RigidTable, row: i32): i32 {
   let at = row;
   while (sleeperOf(t, at).island != at) {
     const above = sleeperOf(t, at);

@@ -6,6 +6,7 @@ import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { takeLane } from './color-contacts';
 import * as block from './contact-block';
+import { noteDepth } from './crowds';
 import { inverseMassAlong } from './motion-locks';
 import { RigidTable } from './rigid-table';
 import { soften, softness } from './softness';
@@ -21,6 +22,7 @@ const TOO_HEAVY: real = 2000;
 export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   for (let i = 0; i < t.blockCount; i++) clearBlock(t, i);
+  t.deepCount = 0;
   const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);
   soften(hertz, t.contactDampingRatio, t.h);
   const biasRate = <real>(softness.biasRate * softness.massScale);
@@ -42,6 +44,7 @@ export function prepareContacts(table: usize): void {
     put(at + block.IMPULSE_SCALE, l, single ? <real>softness.impulseScale : impulseScale);
     fillBodies(t, contact, at, l);
     for (let p = 0; p < contact.count; p++) fillPoint(t, contact, at, l, p);
+    noteDepth(t, contact);
   }
 }
 

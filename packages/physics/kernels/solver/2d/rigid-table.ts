@@ -137,6 +137,11 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
+  // Contacts of deep overlap in this step; by row: class Crowd; the rows of the bodies in crowds, ascending (crowds.ts).
+  deepCount: i32;
+  crowds: usize;
+  crowded: usize;
+  crowdedCount: i32;
   // Numbers of the records of the contacts that are new in this step, and whether a function of the user decides about them.
   newContacts: usize;
   newPairCount: i32;

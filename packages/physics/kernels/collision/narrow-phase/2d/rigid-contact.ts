@@ -79,6 +79,8 @@ export const DID_OVERLAP: u32 = 128;
 export const IGNORED: u32 = 256;
 // Another contact of the same body holds it already, so that this one does nothing (seams.ts).
 export const COVERED: u32 = 512;
+// Two bodies that move overlap deeply (solver/2d/crowds.ts).
+export const IS_DEEP: u32 = 1024;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

@@ -43,6 +43,7 @@ import {
   ContactPoint,
   FOUND,
   IGNORED,
+  IS_DEEP,
   OVERLAPS,
   PASSING,
   RigidContact,
@@ -174,7 +175,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
-  const kept = (contact.flags & FOUND) | (touched ? WAS_TOUCHING : 0);
+  const kept = (contact.flags & (FOUND | IS_DEEP)) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
     contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return false;

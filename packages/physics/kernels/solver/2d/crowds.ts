@@ -1,0 +1,216 @@
+// Crowds: islands in which bodies were put into each other. Each contact pushes its two bodies apart at a bounded speed, but
+// the pushes of many layers add up, and one relaxing pass cannot take back what they gave. So in a sub-step of a crowd
+//
+//   before positions change   no body is faster than overlap is pushed out, nor than the fastest before contacts were solved
+//   when all is relaxed       the kinetic energy is at most what it was before: contacts give none
+//
+// both about the centre of mass, or about the ground if the crowd touches it. Velocities are scaled about it all alike, which
+// conserves momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that something
+// drives, joints, belts or kinematic bodies, may gain energy and stay as they are.
+import {
+  ContactPoint,
+  IS_DEEP,
+  RigidContact,
+  WAS_TOUCHING,
+  contactAt,
+  pointOf,
+} from '../../collision/narrow-phase/2d/rigid-contact';
+import { DYNAMIC, KINEMATIC, LOCKED, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { islandOf, labelIslands } from './islands';
+import { RigidTable } from './rigid-table';
+
+// A contact is deep if two bodies that move overlap by half the lesser of their least extents from the centre when it begins,
+// and did not come so far by their speed: they were put there. It stays deep until they overlap by a twentieth.
+const DEEP: real = 0.5;
+const FLAT: real = 0.05;
+
+// An island is a crowd with two deep contacts, and one for so many bodies: among more that stand firm pushes are lost.
+const FEWEST: i32 = 2;
+const BODIES: i32 = 50;
+
+// What is known of an island, in the record of its first row. Speeds and energies are about its frame.
+@unmanaged
+export class Crowd {
+  // Velocity of the frame, m/s: that of the centre of mass, or 0.
+  vx: f64;
+  vy: f64;
+  mass: f64;
+  // Kinetic energy, J, and the square of the largest speed: before contacts are solved, and now.
+  energyBefore: f64;
+  fastestBefore: f64;
+  energy: f64;
+  fastest: f64;
+  bodies: i32;
+  deepContacts: i32;
+  // Whether it touches what does not move, and whether something drives it.
+  anchored: i32;
+  driven: i32;
+}
+
+const SIZE: usize = (offsetof<Crowd>() + 7) & ~7;
+
+// @ts-ignore: decorator
+@inline function crowdOf(t: RigidTable, row: i32): Crowd {
+  return changetype<Crowd>(t.crowds + <usize>row * SIZE);
+}
+
+// Finds whether a contact that touches is deep.
+// @ts-ignore: decorator
+@inline export function noteDepth(t: RigidTable, contact: RigidContact): void {
+  if ((contact.flags & (WAS_TOUCHING | IS_DEEP)) == WAS_TOUCHING) return;
+  if (isDeep(t, contact)) {
+    contact.flags |= IS_DEEP;
+    t.deepCount++;
+  } else contact.flags &= ~IS_DEEP;
+}
+
+function isDeep(t: RigidTable, contact: RigidContact): bool {
+  const a = poseOf(t, contact.bodyA);
+  const b = poseOf(t, contact.bodyB);
+  if (a.inverseMass == 0 || b.inverseMass == 0) return false;
+  const extent = min<real>(a.minExtent, b.minExtent);
+  const point = deepest(contact);
+  if ((contact.flags & IS_DEEP) != 0) return -point.separation > FLAT * extent;
+  // Twice the way of a step: the speed may have been taken already.
+  return -point.separation > max<real>(DEEP * extent, -2 * point.normalSpeed * <real>t.dt);
+}
+
+// @ts-ignore: decorator
+@inline function deepest(contact: RigidContact): ContactPoint {
+  const point = pointOf(contact, 0);
+  if (contact.count < 2) return point;
+  const other = pointOf(contact, 1);
+  return other.separation < point.separation ? other : point;
+}
+
+// Lists the bodies of all crowds, and returns their number.
+export function findCrowds(table: usize): i32 {
+  const t = changetype<RigidTable>(table);
+  t.crowdedCount = 0;
+  if (t.deepCount < FEWEST) return 0;
+  labelIslands(table);
+  for (let i = 0; i < t.awakeCount; i++) memory.fill(changetype<usize>(crowdOf(t, word(t.awake, i))), 0, SIZE);
+  for (let i = 0; i < t.touchingCount; i++) noteContact(t, contactAt(t, word(t.touching, 2 * i)));
+  for (let i = 0; i < t.linkCount; i++) {
+    noteDriven(t, word(t.links, 2 * i));
+    noteDriven(t, word(t.links, 2 * i + 1));
+  }
+  for (let i = 0; i < t.awakeCount; i++) noteBody(t, word(t.awake, i));
+  for (let i = 0; i < t.awakeCount; i++) {
+    const row = word(t.awake, i);
+    if ((flagsOf(t, row) & DYNAMIC) != 0 && isCrowd(crowdOf(t, islandOf(t, row)))) putWord(t.crowded, t.crowdedCount++, row);
+  }
+  return t.crowdedCount;
+}
+
+// @ts-ignore: decorator
+@inline function isCrowd(crowd: Crowd): bool {
+  return crowd.driven == 0 && crowd.deepContacts >= max<i32>(FEWEST, crowd.bodies / BODIES);
+}
+
+function noteBody(t: RigidTable, row: i32): void {
+  const flags = flagsOf(t, row);
+  if ((flags & DYNAMIC) == 0) return;
+  const crowd = crowdOf(t, islandOf(t, row));
+  crowd.bodies++;
+  if ((flags & LOCKED) != 0) crowd.anchored = 1;
+}
+
+function noteContact(t: RigidTable, contact: RigidContact): void {
+  const a = contact.bodyA;
+  const b = contact.bodyB;
+  const kindA = flagsOf(t, a);
+  const kindB = flagsOf(t, b);
+  const crowd = crowdOf(t, islandOf(t, (kindA & DYNAMIC) != 0 ? a : b));
+  if ((kindA & kindB & DYNAMIC) == 0) crowd.anchored = 1;
+  if (((kindA | kindB) & KINEMATIC) != 0 || contact.tangentSpeed != 0) crowd.driven = 1;
+  if ((contact.flags & IS_DEEP) != 0) crowd.deepContacts++;
+}
+
+function noteDriven(t: RigidTable, row: i32): void {
+  if ((flagsOf(t, row) & DYNAMIC) != 0) crowdOf(t, islandOf(t, row)).driven = 1;
+}
+
+// Before contacts are solved: the frame, the energy and the largest speed of each crowd.
+export function measureCrowds(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  findFrames(t);
+  measure(t);
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const crowd = crowdOf(t, word(t.crowded, i));
+    crowd.energyBefore = crowd.energy;
+    crowd.fastestBefore = crowd.fastest;
+  }
+}
+
+function findFrames(t: RigidTable): void {
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const crowd = crowdOf(t, word(t.crowded, i));
+    crowd.mass = 0;
+    crowd.vx = 0;
+    crowd.vy = 0;
+  }
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const row = word(t.crowded, i);
+    const crowd = crowdOf(t, islandOf(t, row));
+    if (crowd.anchored != 0) continue;
+    const state = stateOf(t, row);
+    const mass = 1 / <f64>poseOf(t, row).inverseMass;
+    crowd.mass += mass;
+    // The mean so far, and what this body adds to it.
+    crowd.vx += (mass / crowd.mass) * (<f64>state.vx - crowd.vx);
+    crowd.vy += (mass / crowd.mass) * (<f64>state.vy - crowd.vy);
+  }
+}
+
+function measure(t: RigidTable): void {
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const crowd = crowdOf(t, word(t.crowded, i));
+    crowd.energy = 0;
+    crowd.fastest = 0;
+  }
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const row = word(t.crowded, i);
+    const crowd = crowdOf(t, islandOf(t, row));
+    const state = stateOf(t, row);
+    const pose = poseOf(t, row);
+    const x = <f64>state.vx - crowd.vx;
+    const y = <f64>state.vy - crowd.vy;
+    const w = <f64>state.w;
+    const speed2 = x * x + y * y;
+    crowd.fastest = max<f64>(crowd.fastest, speed2);
+    crowd.energy += (0.5 * speed2) / <f64>pose.inverseMass;
+    if (pose.inverseInertia > 0) crowd.energy += (0.5 * w * w) / <f64>pose.inverseInertia;
+  }
+}
+
+// Before positions change: bounds the speeds.
+export function slowCrowds(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  const pushed = t.contactSpeed * t.contactSpeed;
+  measure(t);
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const row = word(t.crowded, i);
+    const crowd = crowdOf(t, islandOf(t, row));
+    const bound = max<f64>(crowd.fastestBefore, pushed);
+    if (crowd.fastest > bound) scale(t, row, crowd, sqrt<f64>(bound / crowd.fastest));
+  }
+}
+
+// When all is relaxed: bounds the energy.
+export function calmCrowds(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  measure(t);
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const row = word(t.crowded, i);
+    const crowd = crowdOf(t, islandOf(t, row));
+    if (crowd.energy > crowd.energyBefore) scale(t, row, crowd, sqrt<f64>(crowd.energyBefore / crowd.energy));
+  }
+}
+
+function scale(t: RigidTable, row: i32, crowd: Crowd, factor: f64): void {
+  const state = stateOf(t, row);
+  state.vx = <real>(crowd.vx + factor * (<f64>state.vx - crowd.vx));
+  state.vy = <real>(crowd.vy + factor * (<f64>state.vy - crowd.vy));
+  state.w = <real>(factor * <f64>state.w);
+}
