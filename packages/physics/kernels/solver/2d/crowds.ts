@@ -98,7 +98,8 @@ export function findCrowds(table: usize): i32 {
   for (let i = 0; i < t.awakeCount; i++) noteBody(t, word(t.awake, i));
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
-    if ((flagsOf(t, row) & DYNAMIC) != 0 && isCrowd(crowdOf(t, islandOf(t, row)))) putWord(t.crowded, t.crowdedCount++, row);
+    if ((flagsOf(t, row) & DYNAMIC) != 0 && isCrowd(crowdOf(t, islandOf(t, row))))
+      putWord(t.crowded, t.crowdedCount++, row);
   }
   return t.crowdedCount;
 }
