@@ -23,8 +23,18 @@ const en = {
   },
   help: {
     keys: ['Arrow keys', 'thrust up, left, down or right. The last key counts. Releasing a key stops the engine'],
-    pointer: ['Mouse, touch', 'thrust towards the pointer, the harder the farther it is from the ship', 'Touch'],
-    stick: ['Stick', 'thrust as far as you push it, on the screen or on a gamepad; its d-pad gives full thrust'],
+    pointer: [
+      'Mouse, touch',
+      'thrust towards the pointer, the harder the farther it is from the ship',
+      'Touch',
+      'thrust towards the finger, the harder the farther it is from the ship',
+    ],
+    stick: [
+      'Stick',
+      'thrust as far as you push it, on the screen or on a gamepad; its d-pad gives full thrust',
+      'Stick',
+      'thrust as far as you push it',
+    ],
     goal: ['Goal', 'cross the line at the top. A level has one more hole than the last and is worth as many points'],
     danger: ['Danger', 'falling into a hole costs one of three lives'],
     redraw: ['N, New layout', 'other holes, as often as you like; the level then gives no bonus', 'New layout'],
@@ -94,8 +104,18 @@ const de: Words = {
       'Pfeiltasten',
       'Schub nach oben, links, unten oder rechts. Die letzte Taste zählt; loslassen stellt das Triebwerk ab',
     ],
-    pointer: ['Maus, Finger', 'Schub zum Zeiger hin, umso stärker, je weiter er vom Schiff entfernt ist', 'Finger'],
-    stick: ['Stick', 'Schub, so weit du ihn drückst, auf dem Bildschirm oder am Gamepad; das Steuerkreuz gibt vollen'],
+    pointer: [
+      'Maus, Finger',
+      'Schub zum Zeiger hin, umso stärker, je weiter er vom Schiff entfernt ist',
+      'Finger',
+      'Schub zum Finger hin, umso stärker, je weiter er vom Schiff entfernt ist',
+    ],
+    stick: [
+      'Stick',
+      'Schub, so weit du ihn drückst, auf dem Bildschirm oder am Gamepad; das Steuerkreuz gibt vollen',
+      'Stick',
+      'Schub, so weit du ihn drückst',
+    ],
     goal: [
       'Ziel',
       'überquere die Linie oben. Jede Stufe hat ein Loch mehr als die letzte und bringt so viele Punkte, wie sie Löcher hat',

@@ -21,12 +21,27 @@ const en = {
   help: {
     tap: ['Tap, click', 'blow up what is there', 'Tap'],
     hold: ['Press and hold', 'time stands still; in 3D, drag on to look around'],
-    magnet: ['G, Magnet', 'press and hold is a magnet: balls fly there, and follow the pointer', 'Magnet'],
+    magnet: [
+      'G, Magnet',
+      'press and hold is a magnet: balls fly there, and follow the pointer',
+      'Magnet',
+      'press and hold is a magnet: balls fly there, and follow the finger',
+    ],
     pour: ['Hold V, Pour', 'pour balls from the ceiling', 'Pour'],
     drag: ['Drag a ball', 'grab it, release to throw it; every finger can grab one'],
-    tilt: ['Tilt', 'on phones and tablets: gravity follows the way the device is held'],
+    tilt: [
+      'Tilt',
+      'on phones and tablets: gravity follows the way the device is held',
+      'Tilt',
+      'gravity follows the way the device is held',
+    ],
     rotate: ['Drag elsewhere', 'in 3D: rotate the view'],
-    zoom: ['Wheel, two fingers', 'zoom and move the view; so does a drag with the right button', 'Two fingers'],
+    zoom: [
+      'Wheel, two fingers',
+      'zoom and move the view; so does a drag with the right button',
+      'Two fingers',
+      'zoom and move the view',
+    ],
   },
   hint: isTouch
     ? 'Tap to blow balls up, hold to stop time, drag to throw them'
@@ -57,19 +72,30 @@ const de: Words = {
   help: {
     tap: ['Tippen, klicken', 'sprengt auseinander, was dort ist', 'Tippen'],
     hold: ['Gedrückt halten', 'die Zeit steht still; in 3D siehst du dich um, wenn du weiterziehst'],
-    magnet: ['G, Magnet', 'gedrückt halten ist ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger', 'Magnet'],
+    magnet: [
+      'G, Magnet',
+      'gedrückt halten ist ein Magnet: Bälle fliegen dorthin und folgen dem Zeiger',
+      'Magnet',
+      'gedrückt halten ist ein Magnet: Bälle fliegen dorthin und folgen dem Finger',
+    ],
     pour: ['V halten, Gießen', 'gießt Bälle von der Decke', 'Gießen'],
     drag: ['Einen Ball ziehen', 'fasst ihn, und loslassen wirft ihn; jeder Finger kann einen fassen'],
-    tilt: ['Neigen', 'auf Telefonen und Tablets: Die Schwerkraft folgt der Haltung des Geräts'],
+    tilt: [
+      'Neigen',
+      'auf Telefonen und Tablets: Die Schwerkraft folgt der Haltung des Geräts',
+      'Neigen',
+      'die Schwerkraft folgt der Haltung des Geräts',
+    ],
     rotate: ['Daneben ziehen', 'dreht in 3D die Ansicht'],
     zoom: [
       'Mausrad, zwei Finger',
       'zoomt und verschiebt die Ansicht; ebenso Ziehen mit der rechten Maustaste',
       'Zwei Finger',
+      'zoomen und verschieben die Ansicht',
     ],
   },
   hint: isTouch
-    ? 'Tippen sprengt die Bälle auseinander, Halten stoppt die Zeit, Ziehen wirft sie'
+    ? 'Tippen sprengt Bälle, Halten stoppt die Zeit, Ziehen wirft sie'
     : 'Ein Klick sprengt die Bälle auseinander, Halten stoppt die Zeit, Ziehen wirft sie, V gießt neue',
   pour: 'Gießen',
   tilt: 'Neigen',

@@ -66,7 +66,7 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       renderers: rendererOf(example),
       ...controlsOf(example),
       help: [
-        ...Object.values(example.actions).map(({ key, about }) => [keyName(key), about] as const),
+        ...Object.values(example.actions).map(({ key, about, label }) => [keyName(key), about, label] as const),
         ...(example.pointer === undefined ? [] : [[WORDS.press, example.pointer.about] as const]),
         [WORDS.drag[0], WORDS.drag[1]],
       ],

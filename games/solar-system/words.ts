@@ -14,7 +14,7 @@ const en = {
     sound: 'Sound',
   },
   help: {
-    follow: ['Tap a body, 0–9', 'follow it: 0 is the Sun, 3 the Earth, 9 Neptune', 'Tap a body'],
+    follow: ['Tap a body, 0–9', 'follow it: 0 is the Sun, 3 the Earth, 9 Neptune', 'Tap a body', 'follow it'],
     view: ['Drag, wheel, pinch', 'turn the view and zoom', 'Drag, pinch'],
     time: ['Arrow keys', 'time runs twice as fast, or half as fast'],
     missions: ['Missions', 'launch a probe: set its change of velocity, and let planets pull it'],
@@ -155,7 +155,12 @@ const de: Words = {
     sound: 'Ton',
   },
   help: {
-    follow: ['Tippen, 0–9', 'folgt einem Körper: 0 ist die Sonne, 3 die Erde, 9 Neptun', 'Tippen'],
+    follow: [
+      'Tippen, 0–9',
+      'folgt einem Körper: 0 ist die Sonne, 3 die Erde, 9 Neptun',
+      'Tippen',
+      'folgt einem Körper',
+    ],
     view: ['Ziehen, Mausrad', 'dreht und zoomt die Ansicht', 'Ziehen, zwei Finger'],
     time: ['Pfeiltasten', 'die Zeit läuft doppelt oder halb so schnell'],
     missions: [

@@ -26,12 +26,16 @@ const en = {
     block: ['N, ■', 'drop a block', '■'],
     blast: ['T, ✶', 'blow up the middle', '✶'],
     drag: ['Drag a body', 'move it, stack it, release to throw it'],
-    joints: ['Hinge, Motor, Weld', 'tap where two bodies touch, or a body that is to be joined to the background'],
-    cut: ['Cut', 'swipe through bodies'],
-    link: ['Link', 'saves the scene to a link, with its joints'],
+    joints: [
+      'Hinge, Motor, Weld',
+      'tap where two bodies touch, or a body that is to be joined to the background',
+      '○ Hinge, ↻ Motor, ✚ Weld',
+    ],
+    cut: ['Cut', 'swipe through bodies', '✂ Cut'],
+    link: ['Link', 'saves the scene to a link, with its joints', '⇗ Share'],
   },
   hint: isTouch
-    ? 'Drag bodies, or take a tool. The buttons throw a ball, drop a block and blow up the middle.'
+    ? 'Drag bodies, or take a tool. ● throws a ball, ■ drops a block, ✶ blows up the middle.'
     : 'Drag bodies, or take a tool. C throws a ball, N drops a block, T blows up the middle.',
   tools: 'Tools',
   tool: {
@@ -83,12 +87,13 @@ const de: Words = {
     joints: [
       'Gelenk, Motor, Kleben',
       'tippe, wo zwei Körper sich berühren, oder auf einen Körper, der am Hintergrund hängen soll',
+      '○ Gelenk, ↻ Motor, ✚ Kleben',
     ],
-    cut: ['Schneiden', 'wische durch Körper'],
-    link: ['Link', 'speichert die Szene mit ihren Gelenken in einen Link'],
+    cut: ['Schneiden', 'wische durch Körper', '✂ Schneiden'],
+    link: ['Link', 'speichert die Szene mit ihren Gelenken in einen Link', '⇗ Teilen'],
   },
   hint: isTouch
-    ? 'Zieh Körper oder nimm ein Werkzeug. Die Knöpfe werfen eine Kugel, lassen einen Klotz fallen und sprengen die Mitte.'
+    ? 'Zieh Körper oder nimm ein Werkzeug. ● wirft eine Kugel, ■ lässt einen Klotz fallen, ✶ sprengt die Mitte.'
     : 'Zieh Körper oder nimm ein Werkzeug. C wirft eine Kugel, N lässt einen Klotz fallen, T sprengt die Mitte.',
   tools: 'Werkzeuge',
   tool: {

@@ -11,8 +11,14 @@ const en = {
     sound: 'Sound',
   },
   help: {
-    tank: ['▼, ▲', 'flood the tank, or blow it out with compressed air, which takes more of it the deeper you are'],
+    tank: [
+      '↓, ↑',
+      'flood the tank, or blow it out with compressed air, which takes more of it the deeper you are',
+      '▼, ▲',
+    ],
     engine: [
+      '←, →',
+      'full speed to the left or right; planes then turn the nose with ↓ and ↑, and the propeller pushes where it points',
       '◀, ▶',
       'full speed to the left or right; planes then turn the nose with ▼ and ▲, and the propeller pushes where it points',
     ],
@@ -25,7 +31,7 @@ const en = {
   },
   start: isTouch
     ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap pings'
-    : 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; X pings. Or hold the mouse where to go.',
+    : 'Hold ↓ to flood the tank, ↑ to blow it out; ← → drive; X pings. Or hold the mouse where to go.',
   goal: (taken: number, count: number) => `Bring up ${count} crates from the bed: ${taken} aboard`,
   allAboard: 'All aboard – come up beside the ship',
   tooDeep: 'Too deep – the hull gives way!',
@@ -56,8 +62,10 @@ const de: Words = {
     sound: 'Ton',
   },
   help: {
-    tank: ['▼, ▲', 'Tank fluten oder mit Druckluft ausblasen; je tiefer du bist, desto mehr braucht es davon'],
+    tank: ['↓, ↑', 'Tank fluten oder mit Druckluft ausblasen; je tiefer du bist, desto mehr braucht es davon', '▼, ▲'],
     engine: [
+      '←, →',
+      'volle Fahrt nach links oder rechts; Tiefenruder neigen dann mit ↓ und ↑ den Bug, und der Propeller schiebt, wohin er zeigt',
       '◀, ▶',
       'volle Fahrt nach links oder rechts; Tiefenruder neigen dann mit ▼ und ▲ den Bug, und der Propeller schiebt, wohin er zeigt',
     ],
@@ -70,7 +78,7 @@ const de: Words = {
   },
   start: isTouch
     ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen ist das Sonar'
-    : 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; X ist das Sonar. Oder halte die Maus dorthin, wohin du willst.',
+    : 'Halte ↓, um den Tank zu fluten, ↑, um ihn auszublasen; ← → fahren; X ist das Sonar. Oder halte die Maus dorthin, wohin du willst.',
   goal: (taken, count) => `Hol ${count} Kisten vom Grund: ${taken} an Bord`,
   allAboard: 'Alle an Bord – tauche neben dem Schiff auf',
   tooDeep: 'Zu tief – der Rumpf gibt nach!',

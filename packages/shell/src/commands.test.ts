@@ -40,16 +40,21 @@ it('leaves the keys that a game takes to the game, in the help too', () => {
     help: [
       ['Drag, click', 'throw', 'Drag'],
       ['Arrow keys', 'steer', ''],
+      ['Wheel, pinch', 'zoom; the right button turns', 'Pinch', 'zoom'],
     ],
   } as unknown as Game;
   const { pressed, help, gestures } = gameCommands(game, actions);
-  expect(gestures).toEqual([['Drag', 'throw']]);
+  expect(gestures).toEqual([
+    ['Drag', 'throw'],
+    ['Pinch', 'zoom'],
+  ]);
   pressed.m();
   pressed['3']();
   expect(done).toEqual(['toggle mute', 'renderer three']);
-  expect(help.slice(0, 4)).toEqual([
+  expect(help.slice(0, 5)).toEqual([
     ['Drag, click', 'throw'],
     ['Arrow keys', 'steer'],
+    ['Wheel, pinch', 'zoom; the right button turns'],
     ['M', 'Sound on or off'],
     ['2 3', 'draw in 2D or 3D'],
   ]);

@@ -93,8 +93,8 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   const own = game.help ?? [];
   const line = ([keys, text]: HelpLine) => [keys, text] as const;
   const gestures = own
-    .filter(([, , onTouch]) => onTouch !== '')
-    .map(([input, text, onTouch = input]) => [onTouch, text] as const);
+    .filter(([, , gesture]) => gesture !== '')
+    .map(([input, text, gesture = input, onTouch = text]) => [gesture, onTouch] as const);
   return { pressed, released, help: [...own.map(line), ...help], gestures };
 }
 

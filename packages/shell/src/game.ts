@@ -95,8 +95,11 @@ export interface GameCard<Sim extends Simulation> {
   show(sim: Sim): void;
 }
 
-/** A line of the help: keys or gestures, what they do, and how a touch screen names them: empty where it needs no such line. */
-export type HelpLine = readonly [input: string, description: string, onTouch?: string];
+/**
+ * A line of the help: keys or gestures and what they do; then the gesture on a touch screen, empty where it needs no such line, and
+ * what that does, where they differ.
+ */
+export type HelpLine = readonly [input: string, description: string, gesture?: string, gestureDescription?: string];
 
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
