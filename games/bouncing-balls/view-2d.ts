@@ -19,11 +19,7 @@ export async function openView2D(context: ViewContext<Settings, BallsRun>): Prom
     bounds: ({ room: { min, max } }) => ({ minX: min.x, minY: min.y, maxX: max.x, maxY: max.y }),
     paint: (sim, source) => paint(sim, source, () => context.values().trails),
   });
-  const play = createPlay(context, view.canvas, (x, y) => {
-    const origin = view.toScreen(0, 0, 0);
-    const unit = view.toScreen(1, 0, 0).x - origin.x;
-    return { x: (x - origin.x) / unit, y: (origin.y - y) / unit, z: 0 };
-  });
+  const play = createPlay(context, view.canvas, (x, y) => ({ ...view.toWorld(x, y), z: 0 }));
   return {
     ...view,
     draw(alpha, seconds) {

@@ -21,12 +21,10 @@ export async function openView(context: ViewContext<Settings, ClothRun>, print: 
     const { x, y } = context.sim().world.components.Position;
     return view.toScreen(x[node], y[node], 0);
   };
-  play = createPlay(context, view.canvas, print, place, (x, y) => {
-    const origin = view.toScreen(0, 0, 0);
-    const pixelsPerMetre = view.toScreen(1, 0, 0).x - origin.x;
-    const through = { x: (x - origin.x) / pixelsPerMetre, y: (origin.y - y) / pixelsPerMetre, z: 0 };
-    return { through, along: { x: 0, y: 0, z: 0 } };
-  });
+  play = createPlay(context, view.canvas, print, place, (x, y) => ({
+    through: { ...view.toWorld(x, y), z: 0 },
+    along: { x: 0, y: 0, z: 0 },
+  }));
   return {
     ...view,
     refresh(change) {

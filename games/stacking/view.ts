@@ -2,7 +2,7 @@
 import { nearestPoint } from '@principia/physics';
 import { createBodyLayer } from '@principia/render-pixi';
 import { copyLink, listenToTaps, showHint, type View, type ViewContext } from '@principia/shell';
-import { openPixiView } from '@principia/shell/pixi';
+import { openPixiView, type PixiView } from '@principia/shell/pixi';
 import { Container } from 'pixi.js';
 import { cutAlong } from './cut.ts';
 import { createInsideLayers } from './inside-layers.ts';
@@ -61,17 +61,12 @@ export async function openView(context: ViewContext<Settings, StackingRun>): Pro
 }
 
 /** Taps make joints, swipes cut. @returns a function that stops listening */
-function listenToTools(context: ViewContext<Settings, StackingRun>, view: View, tool: () => string): () => void {
+function listenToTools(context: ViewContext<Settings, StackingRun>, view: PixiView, tool: () => string): () => void {
   const { canvas } = view;
-  const worldPoint = (x: number, y: number) => {
-    const origin = view.toScreen(0, 0, 0);
-    const unit = view.toScreen(1, 0, 0).x - origin.x;
-    return { x: (x - origin.x) / unit, y: (origin.y - y) / unit };
-  };
   const stopTaps = listenToTaps(canvas, (x, y) => {
     const name = tool();
     if (name === 'drag' || name === 'cut') return;
-    const joint = join(context.sim().world, name as 'hinge' | 'motor' | 'weld', worldPoint(x, y));
+    const joint = join(context.sim().world, name as 'hinge' | 'motor' | 'weld', view.toWorld(x, y));
     if (joint === 0) context.showMessage(WORDS.nothingToJoin);
   });
   const stop = new AbortController();
@@ -79,7 +74,7 @@ function listenToTools(context: ViewContext<Settings, StackingRun>, view: View, 
   const starts = new Map<number, { x: number; y: number }>();
   const locate = ({ clientX, clientY }: PointerEvent) => {
     const { left, top } = canvas.getBoundingClientRect();
-    return worldPoint(clientX - left, clientY - top);
+    return view.toWorld(clientX - left, clientY - top);
   };
   const down = (event: PointerEvent) => {
     if (tool() === 'cut' && event.button === 0) starts.set(event.pointerId, locate(event));

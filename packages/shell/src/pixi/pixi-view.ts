@@ -8,6 +8,7 @@ import {
   fit,
   listenToPointers,
   toScreen,
+  toWorld,
   type ViewportSize,
   watchViewport,
   worldSource,
@@ -58,11 +59,17 @@ export interface PixiViewOptions<Sim extends Simulation> {
   readonly grabRadius?: number;
 }
 
+/** A view whose places on the canvas are places in the world. */
+export interface PixiView extends View {
+  /** The point of the world under a place on the canvas, CSS pixels. */
+  toWorld(x: number, y: number): { readonly x: number; readonly y: number };
+}
+
 /** Opens a view in `context`; returned by a renderer's `open`. */
 export async function openPixiView<S extends Settings, Sim extends Simulation>(
   context: ViewContext<S, Sim>,
   options: PixiViewOptions<Sim>,
-): Promise<View> {
+): Promise<PixiView> {
   const screen = await openScreen(context.element, { backgroundAlpha: 0, antialias: true });
   const { canvas, renderer } = screen;
   const content = new Container();
@@ -118,12 +125,23 @@ export async function openPixiView<S extends Settings, Sim extends Simulation>(
       navigated();
       Object.assign(camera, { x, y: up() * y, pixelsPerMetre: viewport.height / height });
     },
-    toScreen: (x, y) => toScreen(camera, viewport, x, up() * y, { x: 0, y: 0 }),
+    ...placesOf(camera, viewport, up),
     destroy() {
       pointers.destroy();
       viewport.destroy();
       shown.picture.destroy();
       screen.destroy();
+    },
+  };
+}
+
+/** Where points of the world are on the canvas, and the reverse. */
+function placesOf(camera: Camera2D, viewport: ViewportSize, up: () => number): Pick<PixiView, 'toScreen' | 'toWorld'> {
+  return {
+    toScreen: (x, y) => toScreen(camera, viewport, x, up() * y, { x: 0, y: 0 }),
+    toWorld(screenX, screenY) {
+      const { x, y } = toWorld(camera, viewport, screenX, screenY, { x: 0, y: 0 });
+      return { x, y: up() * y };
     },
   };
 }
