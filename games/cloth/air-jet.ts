@@ -1,10 +1,12 @@
-/** A jet of air that the player blows at the cloth. */
-import { COMPONENTS, defineLaw, type PhysicsWorld, replaceForce, scalar, vector } from '@principia/physics';
+/** Jets of air that the player blows at the cloth. */
+import { COMPONENTS, defineLaw, type Force, type PhysicsWorld, replaceForce, scalar, vector } from '@principia/physics';
 
 /** Standard deviation of the jet's Gaussian profile of speed, m. */
 const RADIUS = 0.3;
 /** Speed of the air on the axis, m/s. A node weighs as much as the drag of air at 6.5 m/s. */
 const SPEED = 30;
+/** Number of jets: one for each of two fingers. */
+export const JETS = 2;
 
 /** A line through a point, m, along a unit vector. In 2D the direction is zero: the jet meets the plane from the front. */
 export interface JetAxis {
@@ -16,28 +18,31 @@ export interface JetAxis {
  * Drag by the air of the jet alone: `breeze` has the drag of air at rest, and linear drag of two winds is the sum of both.
  * On the axis the air flows along it; around the axis it also spreads outwards, as a jet does in front of a wall.
  */
-const airJet = defineLaw({
-  name: 'air jet',
-  formula: 'F = k u exp(-ρ²/(2σ²)) (d + ρ/σ)',
-  reads: { drag: COMPONENTS.LinearDrag },
-  parameters: { speed: scalar('m/s', { min: 0 }), through: vector('m'), along: vector('') },
-  force: ({ position, drag }, { speed, through, along }) => {
-    const offset = position.sub(through);
-    const across = offset.sub(along.mul(offset.dot(along)));
-    const profile = across
-      .lengthSquared()
-      .div(-2 * RADIUS ** 2)
-      .exp();
-    return along.add(across.div(RADIUS)).mul(speed.mul(profile).mul(drag));
-  },
-});
+const lawOf = (name: string) =>
+  defineLaw({
+    name,
+    formula: 'F = k u exp(-ρ²/(2σ²)) (d + ρ/σ)',
+    reads: { drag: COMPONENTS.LinearDrag },
+    parameters: { speed: scalar('m/s', { min: 0 }), through: vector('m'), along: vector('') },
+    force: ({ position, drag }, { speed, through, along }) => {
+      const offset = position.sub(through);
+      const across = offset.sub(along.mul(offset.dot(along)));
+      const profile = across
+        .lengthSquared()
+        .div(-2 * RADIUS ** 2)
+        .exp();
+      return along.add(across.div(RADIUS)).mul(speed.mul(profile).mul(drag));
+    },
+  });
 
+const LAWS = Array.from({ length: JETS }, (_, jet) => lawOf(`air jet ${jet + 1}`));
 const NOWHERE = { x: 0, y: 0, z: 0 };
+const STILL = { speed: 0, through: NOWHERE, along: NOWHERE };
 
-/** The force of a jet that does not blow. A world needs it before `blow`. */
-export const stillJet = () => airJet({ speed: 0, through: NOWHERE, along: NOWHERE });
+/** The forces of jets that do not blow. A world needs them before `blow`. */
+export const stillJets = (): Force[] => LAWS.map((law) => law(STILL));
 
-/** Lets the jet blow along an axis, until the next call. @param axis undefined stops it */
-export function blow(world: PhysicsWorld, axis: JetAxis | undefined): void {
-  replaceForce(world, axis === undefined ? stillJet() : airJet({ speed: SPEED, ...axis }));
+/** Lets a jet blow along an axis, until the next call for it. @param axis undefined stops it */
+export function blow(world: PhysicsWorld, jet: number, axis: JetAxis | undefined): void {
+  replaceForce(world, LAWS[jet](axis === undefined ? STILL : { speed: SPEED, ...axis }));
 }

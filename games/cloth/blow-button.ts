@@ -1,81 +1,130 @@
-/** The button that makes a press blow air at the cloth instead of dragging or cutting it. A ring shows where it blows. */
-import { element } from '@principia/shell';
+/**
+ * Air that the player blows at the cloth: where the mouse is while a key is held, and, while a button is on, where fingers or the
+ * mouse press, which then neither drag nor cut. A ring shows each place.
+ */
+import { element, listenToKeys } from '@principia/shell';
+import { JETS } from './air-jet.ts';
 import { WORDS } from './words.ts';
+
+type Place = { readonly x: number; readonly y: number };
 
 export interface BlowOptions {
   /** Whether the pointer belongs to the view, which the space bar moves. */
   isSpaceHeld(): boolean;
-  /** The pointer is at this place on the canvas, CSS pixels. */
-  blow(x: number, y: number): void;
-  stop(): void;
+  /** Where a key blows before a mouse was over the canvas, CSS pixels. */
+  middle(): Place;
+  /** A jet blows at this place on the canvas, CSS pixels. @param jet index of it, below `JETS` */
+  blow(jet: number, place: Place): void;
+  stop(jet: number): void;
 }
 
 export interface BlowButton {
   readonly isBlowing: boolean;
-  /** Ends a press, as if the pointer had been released. */
+  /** Ends all jets, as if pointers and key had been released. */
   release(): void;
   destroy(): void;
 }
+
+/** Stands for the key among the ids of pointers, which are not negative. */
+const KEY = -1;
 
 /** @param row of buttons that gets this one */
 export function createBlowButton(
   parent: HTMLElement,
   row: HTMLElement,
   canvas: HTMLCanvasElement,
-  { isSpaceHeld, blow, stop }: BlowOptions,
+  options: BlowOptions,
 ): BlowButton {
-  const attributes = { type: 'button', 'aria-pressed': 'false', title: WORDS.blowHint };
+  const attributes = { type: 'button', 'aria-pressed': 'false', 'aria-keyshortcuts': 'A', title: WORDS.blowHint };
   const button = element('button', 'cloth-button', attributes, WORDS.blow);
-  const ring = element('i', 'cloth-ring', { 'aria-hidden': 'true', hidden: '' });
   row.append(button);
-  parent.append(ring);
+  const jets = createJets(parent, options);
   let isOn = false;
-  let pointer: number | undefined;
+  let mouse: Place | undefined;
   button.addEventListener('click', () => {
     isOn = !isOn;
     button.setAttribute('aria-pressed', String(isOn));
-    release();
+    jets.endAll();
   });
-  const follow = ({ clientX, clientY }: PointerEvent) => {
+  const placeOf = ({ clientX, clientY }: PointerEvent): Place => {
     const { left, top } = canvas.getBoundingClientRect();
-    const [x, y] = [clientX - left, clientY - top];
-    ring.style.translate = `${x}px ${y}px`;
-    ring.hidden = false;
-    blow(x, y);
-  };
-  const release = () => {
-    if (pointer === undefined) return;
-    pointer = undefined;
-    ring.hidden = true;
-    stop();
+    return { x: clientX - left, y: clientY - top };
   };
   const down = (event: PointerEvent) => {
-    if (!isOn || event.target !== canvas || event.button !== 0 || isSpaceHeld()) return;
-    // The canvas would take it for a drag or a cut. A second finger does nothing.
+    if (!isOn || event.target !== canvas || event.button !== 0 || options.isSpaceHeld()) return;
+    // The canvas would take it for a drag or a cut.
     event.stopPropagation();
-    if (pointer !== undefined) return;
-    pointer = event.pointerId;
-    canvas.setPointerCapture(pointer);
-    follow(event);
+    if (jets.begin(event.pointerId, placeOf(event))) canvas.setPointerCapture(event.pointerId);
   };
-  const move = (event: PointerEvent) => event.pointerId === pointer && follow(event);
-  const up = ({ pointerId }: PointerEvent) => pointerId === pointer && release();
+  const move = (event: PointerEvent) => {
+    const place = placeOf(event);
+    jets.move(event.pointerId, place);
+    if (event.pointerType !== 'mouse') return;
+    mouse = place;
+    jets.move(KEY, place);
+  };
+  const up = ({ pointerId }: PointerEvent) => jets.end(pointerId);
+  const stopKeys = listenToKeys({ a: () => jets.begin(KEY, mouse ?? options.middle()) }, { a: () => jets.end(KEY) });
   const listening = new AbortController();
-  const options = { capture: true, signal: listening.signal };
-  parent.addEventListener('pointerdown', down, options);
-  parent.addEventListener('pointermove', move, options);
-  parent.addEventListener('pointerup', up, options);
-  parent.addEventListener('pointercancel', up, options);
+  const capture = { capture: true, signal: listening.signal };
+  parent.addEventListener('pointerdown', down, capture);
+  parent.addEventListener('pointermove', move, capture);
+  parent.addEventListener('pointerup', up, capture);
+  parent.addEventListener('pointercancel', up, capture);
   return {
     get isBlowing() {
-      return pointer !== undefined;
+      return jets.isBlowing;
     },
-    release,
+    release: jets.endAll,
     destroy() {
-      release();
+      jets.destroy();
+      stopKeys();
       listening.abort();
       button.remove();
-      ring.remove();
+    },
+  };
+}
+
+/** The jets, which pointers and the key take; where all are taken, one more pointer gets none. */
+function createJets(parent: HTMLElement, { blow, stop }: BlowOptions) {
+  const rings = Array.from({ length: JETS }, () => element('i', 'cloth-ring', { 'aria-hidden': 'true', hidden: '' }));
+  parent.append(...rings);
+  const holders: (number | undefined)[] = rings.map(() => undefined);
+  const show = (jet: number, place: Place) => {
+    rings[jet].style.translate = `${place.x}px ${place.y}px`;
+    rings[jet].hidden = false;
+    blow(jet, place);
+  };
+  const free = (jet: number) => {
+    if (holders[jet] === undefined) return;
+    holders[jet] = undefined;
+    rings[jet].hidden = true;
+    stop(jet);
+  };
+  const endAll = () => {
+    for (const jet of rings.keys()) free(jet);
+  };
+  return {
+    get isBlowing() {
+      return holders.some((holder) => holder !== undefined);
+    },
+    /** @returns whether a jet was left */
+    begin(holder: number, place: Place): boolean {
+      const jet = holders.indexOf(undefined);
+      if (jet < 0) return false;
+      holders[jet] = holder;
+      show(jet, place);
+      return true;
+    },
+    move(holder: number, place: Place) {
+      const jet = holders.indexOf(holder);
+      if (jet >= 0) show(jet, place);
+    },
+    end: (holder: number) => free(holders.indexOf(holder)),
+    endAll,
+    destroy() {
+      endAll();
+      for (const ring of rings) ring.remove();
     },
   };
 }

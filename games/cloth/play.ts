@@ -22,6 +22,8 @@ export interface Play {
 /** Slow motion sounds two octaves lower. */
 const SLOW = 0.25;
 const HALF_WIDTH = (CLOTH.columns * CLOTH.spacing) / 2;
+/** The node in the middle of the cloth. */
+const MIDDLE = (CLOTH.columns * (CLOTH.rows + 1)) / 2;
 /** Time between two puffs of the sound of blowing, s. */
 const PUFF = 0.2;
 
@@ -45,8 +47,9 @@ export function createPlay(
   const removeButtons = createPrintButtons(row, print, context.showMessage);
   const blowing = createBlowButton(parent, row, canvas, {
     isSpaceHeld: context.isSpaceHeld,
-    blow: (x, y) => blow(context.sim().world, axisUnder(x, y)),
-    stop: () => blow(context.sim().world, undefined),
+    middle: () => place(MIDDLE),
+    blow: (jet, { x, y }) => blow(context.sim().world, jet, axisUnder(x, y)),
+    stop: (jet) => blow(context.sim().world, jet, undefined),
   });
   const removeHint = showHint(parent, WORDS.hint);
   const stopSwipes = listenToSwipes(context, canvas, place);
@@ -70,7 +73,7 @@ export function createPlay(
       }
     },
     refresh() {
-      // The jet of a new world does not blow.
+      // The jets of a new world do not blow.
       blowing.release();
       film.destroy();
       film = new TearFilm(context.sim(), parent);
@@ -121,7 +124,7 @@ const STYLE = `
 .cloth-again:hover { background: #ffd38a }
 @media (min-height: 480px) { .game-hint { bottom: 72px } }
 /* The hint lies beside the buttons. */
-@media (max-height: 479px) { .game:has(.cloth-print) .game-hint { left: 264px } }
+@media (pointer: coarse) and (max-height: 479px) { .game:has(.cloth-print) .game-hint { left: 248px; right: 12px } }
 .cloth-film { position: absolute; left: 16px; right: 16px; bottom: 84px; margin: 0; text-align: center; pointer-events: none;
   font-weight: 600; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .cloth-button { height: 44px } }

@@ -87,14 +87,31 @@ it('a jet of air pushes the cloth away where it blows, tears no thread, and leav
   const still = run(2.5, 0, {}, 3);
   const middle = still.cloth.at(32, 20);
   const { Position } = still.world.components;
-  blow(still.world, { through: { x: 0, y: 0, z: 5 }, along: { x: 0, y: 0, z: -1 } });
+  blow(still.world, 0, { through: { x: 0, y: 0, z: 5 }, along: { x: 0, y: 0, z: -1 } });
   for (let i = 0; i < 60; i++) step(still.world, still.dt);
   expect(Position.z[middle]).toBeLessThan(-0.2);
   expect(Math.abs(Position.z[still.cloth.at(0, 20)])).toBeLessThan(-0.3 * Position.z[middle]);
   expect(brokenThreads(still)).toBe(0);
-  blow(still.world, undefined);
+  blow(still.world, 0, undefined);
   for (let i = 0; i < 600; i++) step(still.world, still.dt);
   expect(Math.abs(Position.z[middle])).toBeLessThan(0.05);
+});
+
+it('two jets blow at once, and one goes on when the other stops', () => {
+  const { world, cloth, dt } = run(2.5, 0, {}, 3);
+  const { Position } = world.components;
+  const [left, right] = [cloth.at(12, 30), cloth.at(52, 30)];
+  const along = { x: 0, y: 0, z: -1 };
+  [left, right].forEach((node, jet) => {
+    blow(world, jet, { through: { x: Position.x[node], y: Position.y[node], z: 5 }, along });
+  });
+  for (let i = 0; i < 60; i++) step(world, dt);
+  expect(Position.z[left]).toBeLessThan(-0.2);
+  expect(Position.z[right]).toBeLessThan(-0.2);
+  blow(world, 1, undefined);
+  for (let i = 0; i < 600; i++) step(world, dt);
+  expect(Position.z[left]).toBeLessThan(-0.2);
+  expect(Math.abs(Position.z[right])).toBeLessThan(0.1);
 });
 
 it('in 2D a jet of air drives the cloth apart from where it blows', () => {
@@ -102,7 +119,7 @@ it('in 2D a jet of air drives the cloth apart from where it blows', () => {
   const { Position } = world.components;
   const [left, right] = [cloth.at(20, 36), cloth.at(44, 36)];
   const before = Position.x[right] - Position.x[left];
-  blow(world, { through: { x: 0, y: -0.8, z: 0 }, along: { x: 0, y: 0, z: 0 } });
+  blow(world, 0, { through: { x: 0, y: -0.8, z: 0 }, along: { x: 0, y: 0, z: 0 } });
   for (let i = 0; i < 30; i++) step(world, dt);
   expect(Position.x[right] - Position.x[left]).toBeGreaterThan(before + 0.02);
 });

@@ -13,7 +13,7 @@ import {
   xpbd,
 } from '@principia/physics';
 import { query } from 'bitecs';
-import { stillJet } from './air-jet.ts';
+import { stillJets } from './air-jet.ts';
 import { breeze } from './breeze.ts';
 import { TearRecord } from './tear-record.ts';
 
@@ -57,7 +57,7 @@ export function createSim({ values, seed, dimensions }: ClothOptions): ClothRun 
     dimensions,
     seed,
     integrator: xpbd({ substeps: 8, iterations: 1 }),
-    forces: [uniformGravity({ y: -values.gravity }), breeze({ speed: values.wind }), stillJet(), springs()],
+    forces: [uniformGravity({ y: -values.gravity }), breeze({ speed: values.wind }), ...stillJets(), springs()],
   });
   // Broken threads are removed at the end of the step.
   world.phases.finish.push(breakSprings);

@@ -138,6 +138,44 @@ describe('the cloth', () => {
     await pointer.release();
   });
 
+  it.each(['three', 'pixi'])('is blown at while a key is held, where the mouse is: %s', async (renderer) => {
+    const page = await play(`renderer=${renderer}&wind=0&manual`, windowFor('keys'));
+    await steps(page, 60);
+    const wide = await widthOf(page);
+    const { z } = await body(page, MIDDLE);
+    const push = async () => (renderer === 'three' ? z - (await body(page, MIDDLE)).z : (await widthOf(page)) - wide);
+    const enough = renderer === 'three' ? 0.15 : 0.01;
+    // No mouse was there: the middle.
+    await page.keyboard.down('a');
+    await steps(page, 40);
+    expect(await push()).toBeGreaterThan(enough);
+    expect(await page.locator('.cloth-ring:visible').count()).toBe(1);
+    const corner = await nodePlace(page, 60, 36);
+    await page.mouse.move(corner.x, corner.y);
+    await steps(page, 600);
+    expect(await push()).toBeLessThan(enough);
+    await page.keyboard.up('a');
+    expect(await page.locator('.cloth-ring:visible').count()).toBe(0);
+    expect((await state(page)).dragged).toEqual([]);
+  });
+
+  it('is blown at by two fingers at once, each at its own place', async () => {
+    const page = await play('renderer=three&wind=0&manual');
+    await steps(page, 60);
+    await page.locator('.cloth-button', { hasText: 'Blow' }).click();
+    const nodes = [12, 52].map((column) => CLOTH.columns * 30 + column);
+    const fingers = [await nodePlace(page, 12, 30), await nodePlace(page, 52, 30)].map((at, id) => ({ ...at, id }));
+    const touch = await fingersOf(page);
+    await touch('touchStart', fingers.slice(0, 1));
+    await touch('touchStart', fingers);
+    await steps(page, 40);
+    for (const node of nodes) expect((await body(page, node)).z).toBeLessThan(-0.15);
+    expect((await state(page)).dragged).toEqual([]);
+    await touch('touchEnd');
+    await steps(page, 600);
+    for (const node of nodes) expect(Math.abs((await body(page, node)).z)).toBeLessThan(0.1);
+  });
+
   it('tears under its own weight once keys have made its threads weak', async () => {
     const page = await play('renderer=pixi&wind=0&manual', windowFor('keys'));
     await steps(page, 60);
