@@ -8,9 +8,11 @@ const { open: play } = playGame('black-hole', { viewport: { width: 1280, height:
 
 const level = async (page: Page) => ((await state(page)).game as { dodged: number }).dodged + 1;
 
+const setting = (page: Page) => page.locator('.lil-number', { hasText: 'First level' });
+
 /** Asks in the panel for a first level. @returns the level that it takes */
 async function askFor(page: Page, wanted: number): Promise<string> {
-  const input = page.locator('.lil-number', { hasText: 'First level' }).locator('input');
+  const input = setting(page).locator('input');
   await input.fill(String(wanted));
   await input.press('Enter');
   return input.inputValue();
@@ -19,7 +21,14 @@ async function askFor(page: Page, wanted: number): Promise<string> {
 it('the panel offers the levels that were reached, and those of a link', async () => {
   const page = await play('manual&seed=4');
   await page.locator('.game-side').waitFor();
-  expect(await askFor(page, 9)).toBe('1');
+  // A single level is no choice: neither slider nor field takes anything.
+  const input = setting(page).locator('input');
+  expect(await input.isDisabled()).toBe(true);
+  expect(await input.inputValue()).toBe('1');
+  const slider = (await setting(page).locator('.lil-slider').boundingBox()) as { x: number; y: number };
+  await page.mouse.click(slider.x + 40, slider.y + 5);
+  expect(await input.inputValue()).toBe('1');
+  expect(await setting(page).locator('.lil-fill').isVisible()).toBe(false);
   await perform(page, await HANDS.keys(page), winningMoves(4));
   await steps(page, 120);
   expect(await level(page)).toBe(2);

@@ -8,6 +8,8 @@ import { words } from './words.ts';
 export interface Panel {
   /** Shows the present values. */
   refresh(): void;
+  /** Shows limits that the game has moved since; cheap if none was. */
+  showLimits(): void;
 }
 
 /**
@@ -47,9 +49,18 @@ export function createPanel(
   const refresh = () => {
     for (const controller of controllers) controller.updateDisplay();
   };
-  // A game may have raised a limit since the values were shown.
-  for (const type of ['pointerenter', 'focusin']) gui.domElement.addEventListener(type, refresh);
-  return { refresh };
+  const numbers = Object.values(settings).filter((setting) => setting.kind === 'number');
+  let limit = Number.NaN;
+  return {
+    refresh,
+    showLimits() {
+      // `max` may be a getter, as of levels that are reached while one plays.
+      let sum = 0;
+      for (const { max } of numbers) sum += max;
+      if (sum !== limit) refresh();
+      limit = sum;
+    },
+  };
 }
 
 /** A list of named values of a slider. */
@@ -88,8 +99,8 @@ function addSlider(gui: GUI, proxy: Record<string, never>, name: string, setting
   const controller = gui.add(proxy, name, setting.min, setting.max, step).decimals(decimals);
   const show = controller.updateDisplay.bind(controller);
   controller.updateDisplay = () => {
-    // `max` may be a getter, as of levels that are reached while one plays.
-    controller.max(setting.max);
+    // A single value is no choice.
+    controller.max(setting.max).enable(setting.max > setting.min);
     return show();
   };
   return controller;

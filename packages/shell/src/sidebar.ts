@@ -68,6 +68,7 @@ export async function createSidebar<Sim extends Simulation>(
       for (let i = 0; i < cards.length; i++) cards[i].record?.(sim, isPast);
     },
     show(sim, statistics) {
+      panel.showLimits();
       plot.draw();
       for (const card of cards) card.show(sim);
       profile.show(sim.world);

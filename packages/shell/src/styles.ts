@@ -32,6 +32,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   --number-color: var(--accent); --string-color: var(--accent); --font-size: 12.5px; --input-font-size: 12.5px;
   --font-family: inherit; --width: 264px; --widget-height: 24px; --row-height: 30px; --name-width: 38%; --padding: 10px;
   --slider-knob-width: 3px; --widget-border-radius: 6px; --slider-input-width: 36% }
+.game-side .lil-disabled .lil-fill { display: none }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
 .game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
 .game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; flex-wrap: wrap; gap: 0 10px }
