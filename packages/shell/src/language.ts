@@ -37,9 +37,10 @@ export function withLanguage(address: string): string {
   return `${address}${address.includes('?') ? '&' : '?'}lang=${encodeURIComponent(asked)}`;
 }
 
-/** A number with a fixed number of decimals. Short enough to be made in every frame. */
+/** A number with a fixed number of decimals, and no sign if all are zero. Short enough to be made in every frame. */
 export function decimal(value: number, digits: number): string {
-  return inLanguage(value.toFixed(digits));
+  const text = value.toFixed(digits);
+  return inLanguage(Number(text) === 0 ? text.replace('-', '') : text);
 }
 
 /** A number as JavaScript writes it, with the decimal sign of the language. */

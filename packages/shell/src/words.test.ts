@@ -50,4 +50,5 @@ it('speaks English outside a page', () => {
   expect(language()).toBe('en');
   expect(words()).toBe(WORDS_BY_LANGUAGE.en);
   expect([decimal(1234.5, 2), grouped(1234), siNumber(1.5, 'm')]).toEqual(['1234.50', '1,234', '1.5 m']);
+  expect([decimal(-0.04, 1), decimal(-0.06, 1), decimal(0, 0)]).toEqual(['0.0', '-0.1', '0']);
 });
