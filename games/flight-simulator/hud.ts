@@ -22,7 +22,8 @@ const STYLES = `
 .game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 328px) }
 /* The pad lies over a bright runway. */
 .game:has(.fs-hud) .game-pad :is(button, .game-stick) { background: #0b122699 }
-@media (pointer: coarse) { .fs-task { font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 150px; scale: 0.82; transform-origin: 50% 0 } }
+/* Above the horizon, where the rings are, and the task below. */
+@media (pointer: coarse) { .fs-task { top: 216px; font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 62px; scale: 0.82; transform-origin: 50% 0 } }
 @media (pointer: coarse) and (max-height: 500px) { .fs-instruments { top: auto; bottom: 4px; left: max(6px, env(safe-area-inset-left)); translate: 0 0; scale: 0.72; transform-origin: 0 100% } .fs-task { top: 58px; font-size: 14px } }
 @media (max-width: 1100px) { .game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 144px); translate: -50% 0; bottom: 192px } }
 @media (max-width: 759px), (pointer: coarse) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments, .fs-rudder) { visibility: hidden } }
