@@ -1,6 +1,6 @@
 /** The card of the mission: what to do, the change of velocity to set, and what will come of it. */
 import type { BodyName } from '@principia/scenes';
-import { inLanguage, speakNumbers, type ViewContext } from '@principia/shell';
+import { element, inLanguage, speakNumbers, type ViewContext } from '@principia/shell';
 import { indexOf, rounded } from './flight.ts';
 import { type FlightPlan, MAX_WAIT } from './flight-plan.ts';
 import { MISSIONS, type Mission, PASS } from './missions.ts';
@@ -44,7 +44,7 @@ export function createMissionCard(
     element.className = 'ss-card';
     const isWatched = sim.isReplay || isOver(sim);
     parts = isWatched
-      ? watchedParts(context, page, mission)
+      ? watchedParts(context, page, mission, sim.isReplay)
       : controlParts(context, page, plan, mission, phase === 'ready');
     element.replaceChildren(...parts.elements);
   };
@@ -67,9 +67,18 @@ interface Parts {
 }
 
 /** A flight that is repeated, or over. */
-function watchedParts(context: ViewContext<Settings, SolarGame>, page: Page, mission: Mission): Parts {
+function watchedParts(
+  context: ViewContext<Settings, SolarGame>,
+  page: Page,
+  mission: Mission,
+  isReplay: boolean,
+): Parts {
   const text = paragraph('ss-say');
-  const again = button(WORDS.tryIt, () => page.startMission(context.sim(), mission), 'ss-go');
+  const again = button(
+    isReplay ? WORDS.tryIt : WORDS.flyAgain,
+    () => page.startMission(context.sim(), mission),
+    'ss-go',
+  );
   return {
     elements: [heading(context, page, mission), text, row(again)],
     update(sim) {
@@ -88,7 +97,8 @@ function controlParts(
   isReady: boolean,
 ): Parts {
   const words = WORDS.missions[mission.id];
-  const goal = paragraph('ss-goal', isReady ? `${words.goal} ${words.hint}` : words.goal);
+  const goal = paragraph('ss-goal', words.goal);
+  if (isReady) goal.append(element('span', '', {}, ` ${words.hint}`));
   const sliders = [WORDS.forward, WORDS.outward, WORDS.north].map((name, i) =>
     createSlider(name, mission.budget, (value) => {
       plan.set(plan.amounts.map((amount, axis) => (axis === i ? value : amount)));
@@ -226,12 +236,7 @@ function button(text: string, press: () => void, className = ''): HTMLButtonElem
   return element;
 }
 
-function paragraph(className: string, text = ''): HTMLElement {
-  const element = document.createElement('p');
-  element.className = className;
-  element.textContent = text;
-  return element;
-}
+const paragraph = (className: string, text = '') => element('p', className, {}, text);
 
 function row(...parts: HTMLElement[]): HTMLElement {
   const element = document.createElement('div');
