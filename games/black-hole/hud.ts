@@ -37,7 +37,7 @@ const STYLE = `
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
 @media (pointer: coarse) and (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 14px); bottom: 76px; white-space: nowrap } .bh-daily { bottom: 128px } }
 @media (max-width: 800px) { .bh-speed { display: none } }
-@media (max-height: 480px) { .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
+@media (max-height: 480px) { .bh-hud:not(.outside) { font-size: 13px } .bh-hud:not(.outside) > :is(.bh-lives, .bh-score, .bh-level) { top: 2px } .bh-score { font-size: 14px } .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
   .bh-call:not(.low) { top: 53% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }

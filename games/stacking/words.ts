@@ -35,7 +35,7 @@ const en = {
     link: ['Link', 'saves the scene to a link, with its joints', '⇗ Share'],
   },
   hint: isTouch
-    ? 'Drag bodies, or take a tool. ● throws a ball, ■ drops a block, ✶ blows up the middle.'
+    ? 'Drag bodies, or take a tool. ●\u00a0throws a ball, ■\u00a0drops a block, ✶\u00a0blows up the middle.'
     : 'Drag bodies, or take a tool. C throws a ball, N drops a block, T blows up the middle.',
   tools: 'Tools',
   tool: {
@@ -93,7 +93,7 @@ const de: Words = {
     link: ['Link', 'speichert die Szene mit ihren Gelenken in einen Link', '⇗ Teilen'],
   },
   hint: isTouch
-    ? 'Zieh Körper oder nimm ein Werkzeug. ● wirft eine Kugel, ■ lässt einen Klotz fallen, ✶ sprengt die Mitte.'
+    ? 'Zieh Körper oder nimm ein Werkzeug. ●\u00a0wirft eine Kugel, ■\u00a0lässt einen Klotz fallen, ✶\u00a0sprengt die Mitte.'
     : 'Zieh Körper oder nimm ein Werkzeug. C wirft eine Kugel, N lässt einen Klotz fallen, T sprengt die Mitte.',
   tools: 'Werkzeuge',
   tool: {
