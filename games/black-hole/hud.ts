@@ -38,6 +38,9 @@ const STYLE = `
 @media (pointer: coarse) and (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 14px); bottom: 76px; white-space: nowrap } .bh-daily { bottom: 128px } }
 @media (max-width: 800px) { .bh-speed { display: none } }
 @media (max-height: 480px) { .bh-hud:not(.outside) { font-size: 13px } .bh-hud:not(.outside) > :is(.bh-lives, .bh-score, .bh-level) { top: 2px } .bh-score { font-size: 14px } .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
+/* Beside a field that is too low for them. */
+@media (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-hud > :is(.bh-score, .bh-speed, .bh-call.low) { left: calc(100% + 14px); right: auto; translate: none; width: max-content; max-width: 250px; text-align: left }
+  .bh-call.low { top: 28px; bottom: auto } }
 @media (max-width: 620px) { .bh-level { flex-direction: column; gap: 0; align-items: end }
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
   .bh-call:not(.low) { top: 53% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
