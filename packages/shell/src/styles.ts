@@ -84,6 +84,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-help::backdrop { background: #070b1a99 }
 /* The foot covers the lines that scroll behind it over the whole width. */
 .game-help footer { position: sticky; bottom: -22px; margin: 0 -26px -22px; padding: 12px 26px 16px; background: #161e3d } .game-help footer button { background: #2a3153 }
+/* Lines fade where they go on below. */
+.game-help footer::before { content: ""; position: absolute; left: 0; right: 0; bottom: 100%; height: 20px; background: linear-gradient(#161e3d00, #161e3d); pointer-events: none }
 .game-help h2 { margin: 0 0 12px; font-size: 17px; outline: none }
 .game-help dl { display: grid; grid-template-columns: max-content 1fr; gap: 5px 16px; margin: 0 0 16px }
 .game-help dt { color: var(--accent); font-weight: 600 } .game-help dd { margin: 0 }
@@ -165,6 +167,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
+@media (max-height: 479px) { .game-help { max-height: calc(100dvh - 16px); padding: 12px 26px; line-height: 1.4 } .game-help h2 { margin-bottom: 6px } .game-help footer { bottom: -12px; margin-bottom: -12px; padding-block: 6px 8px } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(min-content, 27%) 1fr }
   .game-help footer { bottom: -18px; margin: 0 -18px -18px; padding: 10px 18px 14px } }
