@@ -13,7 +13,6 @@ import {
   xpbd,
 } from '@principia/physics';
 import { query } from 'bitecs';
-import { stillJets } from './air-jet.ts';
 import { breeze } from './breeze.ts';
 import { TearRecord } from './tear-record.ts';
 
@@ -57,7 +56,7 @@ export function createSim({ values, seed, dimensions }: ClothOptions): ClothRun 
     dimensions,
     seed,
     integrator: xpbd({ substeps: 8, iterations: 1 }),
-    forces: [uniformGravity({ y: -values.gravity }), breeze({ speed: values.wind }), ...stillJets(), springs()],
+    forces: [uniformGravity({ y: -values.gravity }), breeze({ speed: values.wind }), springs()],
   });
   // Broken threads are removed at the end of the step.
   world.phases.finish.push(breakSprings);
