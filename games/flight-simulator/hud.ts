@@ -54,7 +54,7 @@ export function createHud(
   goal.append(document.createElement('i'), distance);
   for (const each of [instruments.element, task, goal]) each.dataset.filmed = '';
   const rudder = createRudderSlider(present);
-  root.append(style, task, goal, instruments.element, rudder.element);
+  root.append(style, goal, task, instruments.element, rudder.element);
   parent.append(root);
   let held = Number.NaN;
   return {

@@ -55,8 +55,8 @@ function drawThrottle(context: Context, { pilot }: Flight): void {
   context.fillStyle = ACCENT;
   const length = (BODY - 8) * pilot.throttle;
   context.fillRect(8, TOP + BODY - 4 - length, 14, length);
-  label(context, WORDS.throttle, 15, TOP - 8);
-  if (pilot.brake > 0.1) label(context, WORDS.brake, 26, TOP + BODY + 14, WARNING);
+  label(context, WORDS.throttle, 17, TOP - 8);
+  if (pilot.brake > 0.1) label(context, WORDS.brake, 30, TOP + BODY + 14, WARNING);
 }
 
 /** A scale that moves behind its present value. */
@@ -121,7 +121,7 @@ function drawHorizon(context: Context, { attitude }: Flight): void {
   for (let pitch = -60; pitch <= 60; pitch += 10) {
     if (pitch === 0) continue;
     context.fillRect(-22, -pitch * scale, 44, 1);
-    label(context, String(Math.abs(pitch)), 34, -pitch * scale, INK, '500 9px');
+    label(context, String(Math.abs(pitch)), 34, -pitch * scale, INK, '600 11px');
     context.fillRect(-10, (5 - pitch) * scale, 20, 1);
   }
   context.restore();
@@ -166,7 +166,7 @@ function drawHeading(context: Context, heading: number): void {
   context.restore();
   context.fillStyle = ACCENT;
   context.fillRect(x + width / 2 - 1, y, 2, 5);
-  label(context, `${String(Math.round(degrees) % 360).padStart(3, '0')}°`, x + width + 30, y + 12, INK, '600 12px');
+  label(context, `${String(Math.round(degrees) % 360).padStart(3, '0')}°`, x + width + 30, y + 12, INK, '600 13.5px');
 }
 
 function panel(context: Context, x: number, y: number, width: number, height: number): void {
@@ -176,7 +176,7 @@ function panel(context: Context, x: number, y: number, width: number, height: nu
   context.fill();
 }
 
-function label(context: Context, text: string, x: number, y: number, color = INK, font = '500 11px'): void {
+function label(context: Context, text: string, x: number, y: number, color = INK, font = '600 12.5px'): void {
   context.font = `${font} system-ui, sans-serif`;
   context.textAlign = 'center';
   context.fillStyle = color;
