@@ -30,7 +30,7 @@ const ROWS_BYTES = 5 * JOINT_ROW_BYTES;
 
 /** Colors of hinges that close loops, with a block each that may be nearly empty, and bytes of a hinge in a block of f64. */
 const COLORS = 32;
-const LOOP_BLOCK_BYTES = 27 * 16;
+const LOOP_BLOCK_BYTES = 29 * 16;
 const HINGE_BYTES = LOOP_BLOCK_BYTES / 2;
 
 /** Memory of joints per entity, bytes: any entity may be a joint. */

@@ -4,6 +4,7 @@
 import { get, put } from '../../memory/columns';
 import { LANES, splat } from '../../memory/lanes';
 import { BodyPose, poseOf, putWord, stateOf, word } from '../../solver/2d/body';
+import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { jointed, stiffen } from './brace-joints';
 import { JointTable, impulsesOf } from './joint-table';
@@ -106,8 +107,10 @@ export function beginLoops(t: JointTable, rigid: RigidTable): void {
   const rowB = word(at + block.ROW_B, l);
   const a = poseOf(rigid, rowA);
   const b = poseOf(rigid, rowB);
-  put(at + block.MASS_A, l, a.inverseMass);
-  put(at + block.MASS_B, l, b.inverseMass);
+  put(at + block.MASS_AX, l, inverseMassX(rigid, rowA));
+  put(at + block.MASS_AY, l, inverseMassY(rigid, rowA));
+  put(at + block.MASS_BX, l, inverseMassX(rigid, rowB));
+  put(at + block.MASS_BY, l, inverseMassY(rigid, rowB));
   put(at + block.START_X, l, b.x - a.x);
   put(at + block.START_Y, l, b.y - a.y);
   const x = <f64>get(at + block.IMPULSE_X, l);

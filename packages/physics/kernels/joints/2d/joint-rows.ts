@@ -10,13 +10,11 @@ export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
 
 // Applies an impulse to b along a row, and its opposite to a. Bodies without mass keep their velocities.
 export function applyAlong(work: JointWork, a: BodyState, b: BodyState, row: JointRow, impulse: f64): void {
-  const ja = impulse * work.massA;
-  const jb = impulse * work.massB;
-  a.vx = <real>(<f64>a.vx - ja * row.x);
-  a.vy = <real>(<f64>a.vy - ja * row.y);
+  a.vx = <real>(<f64>a.vx - impulse * work.massAx * row.x);
+  a.vy = <real>(<f64>a.vy - impulse * work.massAy * row.y);
   a.w = <real>(<f64>a.w - work.inertiaA * row.armA * impulse);
-  b.vx = <real>(<f64>b.vx + jb * row.x);
-  b.vy = <real>(<f64>b.vy + jb * row.y);
+  b.vx = <real>(<f64>b.vx + impulse * work.massBx * row.x);
+  b.vy = <real>(<f64>b.vy + impulse * work.massBy * row.y);
   b.w = <real>(<f64>b.w + work.inertiaB * row.armB * impulse);
 }
 
@@ -29,17 +27,17 @@ export function applyLocks(work: JointWork, a: BodyState, b: BodyState, j0: f64,
   const y = j0 * r0.y + j1 * r1.y + j2 * r2.y;
   const turnA = j0 * r0.armA + j1 * r1.armA + j2 * r2.armA;
   const turnB = j0 * r0.armB + j1 * r1.armB + j2 * r2.armB;
-  a.vx = <real>(<f64>a.vx - work.massA * x);
-  a.vy = <real>(<f64>a.vy - work.massA * y);
+  a.vx = <real>(<f64>a.vx - work.massAx * x);
+  a.vy = <real>(<f64>a.vy - work.massAy * y);
   a.w = <real>(<f64>a.w - work.inertiaA * turnA);
-  b.vx = <real>(<f64>b.vx + work.massB * x);
-  b.vy = <real>(<f64>b.vy + work.massB * y);
+  b.vx = <real>(<f64>b.vx + work.massBx * x);
+  b.vy = <real>(<f64>b.vy + work.massBy * y);
   b.w = <real>(<f64>b.w + work.inertiaB * turnB);
 }
 
 // What one row and another have to do with each other through the masses of both bodies, 1/kg: an element of J M⁻¹ Jᵀ.
 export function coupling(work: JointWork, p: JointRow, q: JointRow): f64 {
-  const linear = (work.massA + work.massB) * (p.x * q.x + p.y * q.y);
+  const linear = (work.massAx + work.massBx) * (p.x * q.x) + (work.massAy + work.massBy) * (p.y * q.y);
   return linear + work.inertiaA * p.armA * q.armA + work.inertiaB * p.armB * q.armB;
 }
 

@@ -32,9 +32,12 @@ export class JointWork {
   rowB: i32;
   // Rows, class JointRow: three locked ones, that of spring and limits, and that of the motor.
   rows: usize;
-  massA: f64;
+  // Inverse masses, 0 along a locked axis, and inverse moments of inertia.
+  massAx: f64;
+  massAy: f64;
   inertiaA: f64;
-  massB: f64;
+  massBx: f64;
+  massBy: f64;
   inertiaB: f64;
   // The inverse of the effective mass matrix of the locked directions, by rows of its upper half.
   i00: f64;

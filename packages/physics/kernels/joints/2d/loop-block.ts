@@ -11,33 +11,35 @@ export const B: usize = V;
 export const ROW_A: usize = 2 * V;
 export const ROW_B: usize = 3 * V;
 export const JOINT: usize = 4 * V;
-// Inverse masses and moments of inertia.
-export const MASS_A: usize = 5 * V;
-export const MASS_B: usize = 6 * V;
-export const INERTIA_A: usize = 7 * V;
-export const INERTIA_B: usize = 8 * V;
+// Inverse masses, 0 along a locked axis, and moments of inertia.
+export const MASS_AX: usize = 5 * V;
+export const MASS_AY: usize = 6 * V;
+export const MASS_BX: usize = 7 * V;
+export const MASS_BY: usize = 8 * V;
+export const INERTIA_A: usize = 9 * V;
+export const INERTIA_B: usize = 10 * V;
 // When the step began: anchors from the centres, and from the centre of a to that of b, m.
-export const START_AX: usize = 9 * V;
-export const START_AY: usize = 10 * V;
-export const START_BX: usize = 11 * V;
-export const START_BY: usize = 12 * V;
-export const START_X: usize = 13 * V;
-export const START_Y: usize = 14 * V;
+export const START_AX: usize = 11 * V;
+export const START_AY: usize = 12 * V;
+export const START_BX: usize = 13 * V;
+export const START_BY: usize = 14 * V;
+export const START_X: usize = 15 * V;
+export const START_Y: usize = 16 * V;
 // Now: anchors, from that of a to that of b, and the inverse of the effective mass matrix.
-export const AX: usize = 15 * V;
-export const AY: usize = 16 * V;
-export const BX: usize = 17 * V;
-export const BY: usize = 18 * V;
-export const ERROR_X: usize = 19 * V;
-export const ERROR_Y: usize = 20 * V;
-export const K00: usize = 21 * V;
-export const K01: usize = 22 * V;
-export const K11: usize = 23 * V;
+export const AX: usize = 17 * V;
+export const AY: usize = 18 * V;
+export const BX: usize = 19 * V;
+export const BY: usize = 20 * V;
+export const ERROR_X: usize = 21 * V;
+export const ERROR_Y: usize = 22 * V;
+export const K00: usize = 23 * V;
+export const K01: usize = 24 * V;
+export const K11: usize = 25 * V;
 // Impulse on b, and the largest of a sub-step, squared.
-export const IMPULSE_X: usize = 24 * V;
-export const IMPULSE_Y: usize = 25 * V;
-export const LARGEST: usize = 26 * V;
-export const LOOP_BLOCK: usize = 27 * V;
+export const IMPULSE_X: usize = 26 * V;
+export const IMPULSE_Y: usize = 27 * V;
+export const LARGEST: usize = 28 * V;
+export const LOOP_BLOCK: usize = 29 * V;
 
 // @ts-ignore: decorator
 @inline export function blockOf(t: JointTable, i: i32): usize {

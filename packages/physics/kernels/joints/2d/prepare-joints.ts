@@ -1,6 +1,7 @@
 // Begins a step of the joints: which of them act, with which masses, from where.
 import { get } from '../../memory/columns';
 import { poseOf, word } from '../../solver/2d/body';
+import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { braceBodies, jointed, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops } from './color-loops';
@@ -42,8 +43,10 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   work.localAy = <f64>get(t.ay, id);
   work.localBx = <f64>get(t.bx, id);
   work.localBy = <f64>get(t.by, id);
-  work.massA = <f64>poseOf(rigid, work.rowA).inverseMass;
-  work.massB = <f64>poseOf(rigid, work.rowB).inverseMass;
+  work.massAx = <f64>inverseMassX(rigid, work.rowA);
+  work.massAy = <f64>inverseMassY(rigid, work.rowA);
+  work.massBx = <f64>inverseMassX(rigid, work.rowB);
+  work.massBy = <f64>inverseMassY(rigid, work.rowB);
   work.largestTurn = 0;
   const at = placeAt(t, k);
   at.largest = 0;

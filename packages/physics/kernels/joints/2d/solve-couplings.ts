@@ -115,17 +115,17 @@ function speedOf(work: JointWork, a: BodyState, b: BodyState): f64 {
 function inverseMassOf(work: JointWork): f64 {
   const p = rowOf(work, ROW_A);
   const q = rowOf(work, ROW_B);
-  const ofA = work.massA * (p.x * p.x + p.y * p.y) + work.inertiaA * p.armA * p.armA;
-  return ofA + work.massB * (q.x * q.x + q.y * q.y) + work.inertiaB * q.armB * q.armB;
+  const ofA = work.massAx * (p.x * p.x) + work.massAy * (p.y * p.y) + work.inertiaA * p.armA * p.armA;
+  return ofA + work.massBx * (q.x * q.x) + work.massBy * (q.y * q.y) + work.inertiaB * q.armB * q.armB;
 }
 
 function exert(work: JointWork, a: BodyState, b: BodyState, impulse: f64): void {
   const p = rowOf(work, ROW_A);
   const q = rowOf(work, ROW_B);
-  a.vx = <real>(<f64>a.vx + impulse * work.massA * p.x);
-  a.vy = <real>(<f64>a.vy + impulse * work.massA * p.y);
+  a.vx = <real>(<f64>a.vx + impulse * work.massAx * p.x);
+  a.vy = <real>(<f64>a.vy + impulse * work.massAy * p.y);
   a.w = <real>(<f64>a.w + impulse * work.inertiaA * p.armA);
-  b.vx = <real>(<f64>b.vx + impulse * work.massB * q.x);
-  b.vy = <real>(<f64>b.vy + impulse * work.massB * q.y);
+  b.vx = <real>(<f64>b.vx + impulse * work.massBx * q.x);
+  b.vy = <real>(<f64>b.vy + impulse * work.massBy * q.y);
   b.w = <real>(<f64>b.w + impulse * work.inertiaB * q.armB);
 }

@@ -55,10 +55,11 @@ export function startLoops(t: JointTable): void {
   const by = v128.load(at, block.BY);
   const iA = v128.load(at, block.INERTIA_A);
   const iB = v128.load(at, block.INERTIA_B);
-  const mass = add(v128.load(at, block.MASS_A), v128.load(at, block.MASS_B));
-  const xx = add(mass, add(mul(iA, mul(ay, ay)), mul(iB, mul(by, by))));
+  const massX = add(v128.load(at, block.MASS_AX), v128.load(at, block.MASS_BX));
+  const massY = add(v128.load(at, block.MASS_AY), v128.load(at, block.MASS_BY));
+  const xx = add(massX, add(mul(iA, mul(ay, ay)), mul(iB, mul(by, by))));
   const xy = add(mul(iA, mul(ax, ay)), mul(iB, mul(bx, by)));
-  const yy = add(mass, add(mul(iA, mul(ax, ax)), mul(iB, mul(bx, bx))));
+  const yy = add(massY, add(mul(iA, mul(ax, ax)), mul(iB, mul(bx, bx))));
   const determinant = sub(mul(xx, yy), mul(xy, xy));
   // A lane without a hinge has no impulses.
   const k = v128.and(div(splat(1), determinant), v128.gt<real>(determinant, splat(0)));
@@ -132,12 +133,14 @@ function solveBlock(at: usize, bias: v128, massScale: v128, impulseScale: v128, 
     x = sub(x, oldX);
     y = sub(y, oldY);
   }
-  const mA = v128.load(at, block.MASS_A);
-  const mB = v128.load(at, block.MASS_B);
+  const mxA = v128.load(at, block.MASS_AX);
+  const myA = v128.load(at, block.MASS_AY);
+  const mxB = v128.load(at, block.MASS_BX);
+  const myB = v128.load(at, block.MASS_BY);
   const wOfA = sub(wA, mul(v128.load(at, block.INERTIA_A), sub(mul(ax, y), mul(ay, x))));
   const wOfB = add(wB, mul(v128.load(at, block.INERTIA_B), sub(mul(bx, y), mul(by, x))));
-  scatter(at + block.A, sub(vxA, mul(mA, x)), sub(vyA, mul(mA, y)), wOfA, turnedA);
-  scatter(at + block.B, add(vxB, mul(mB, x)), add(vyB, mul(mB, y)), wOfB, turnedB);
+  scatter(at + block.A, sub(vxA, mul(mxA, x)), sub(vyA, mul(myA, y)), wOfA, turnedA);
+  scatter(at + block.B, add(vxB, mul(mxB, x)), add(vyB, mul(myB, y)), wOfB, turnedB);
 }
 
 // What is not finite, or nearly so, becomes 0.

@@ -1,8 +1,9 @@
 // Begins a sub-step of the joints: their directions now, and the impulses of the last sub-step. A tree gets the same velocities
 // whatever impulses it starts from (solve-locks.ts), so that its plain hinges begin without, and are measured when they are
 // solved, where nothing looks at the velocities before that: no axis of a joint, and no body with locked axes.
+import { LOCKED, flagsOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { ARTICULATED_MASS_SIZE, massBeside } from './articulated-body';
+import { ARTICULATED_MASS_SIZE, articulated, massBeside, massOf } from './articulated-body';
 import { applyAtHinge } from './hinge-locks';
 import { GEAR, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
 import { JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, workAt } from './joint-work';
@@ -24,7 +25,22 @@ export function startJoints(table: usize): void {
     applyImpulses(t, rigid, k, 1);
     if (workAt(t, k).hasAxes != 0) warmStartAxes(t, rigid, workAt(t, k));
   }
+  if (rigid.lockedCount > 0) weighLocked(t, rigid);
   startLoops(t);
+}
+
+// A body weighs so many times its mass along an axis that it does not move on: enough digits are left.
+const LOCKED_MASS: f64 = 1e8;
+
+// Bodies of trees get the masses of their locked axes, to which joints add what hangs below them.
+function weighLocked(t: JointTable, rigid: RigidTable): void {
+  for (let i = 0; i < t.bodyCount; i++) {
+    const row = word(t.bodyRows, i);
+    if ((flagsOf(rigid, row) & LOCKED) == 0) continue;
+    const locked = LOCKED_MASS * articulated(t, i).mass;
+    if (word(rigid.lockX, row) != 0) massOf(t, i).m00 += locked;
+    if (word(rigid.lockY, row) != 0) massOf(t, i).m11 += locked;
+  }
 }
 
 // Applies what the locked directions exerted, times `part`.

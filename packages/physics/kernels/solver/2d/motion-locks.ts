@@ -28,6 +28,17 @@ export function holdLocked(table: usize): void {
   }
 }
 
+// The inverse masses of a body along the axes.
+// @ts-ignore: decorator
+@inline export function inverseMassX(t: RigidTable, row: i32): real {
+  return (flagsOf(t, row) & LOCKED) != 0 && word(t.lockX, row) != 0 ? <real>0 : poseOf(t, row).inverseMass;
+}
+
+// @ts-ignore: decorator
+@inline export function inverseMassY(t: RigidTable, row: i32): real {
+  return (flagsOf(t, row) & LOCKED) != 0 && word(t.lockY, row) != 0 ? <real>0 : poseOf(t, row).inverseMass;
+}
+
 // The inverse mass of a body along a unit vector.
 export function inverseMassAlong(t: RigidTable, row: i32, nx: real, ny: real): real {
   const inverseMass = poseOf(t, row).inverseMass;
