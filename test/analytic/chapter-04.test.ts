@@ -1,46 +1,50 @@
 // Motion, force, work and power, in units where y points down.
-import { createPhysicsWorld, positionFirstEuler, spawn, step } from '@principia/physics';
+import { bodies, type PhysicsWorld, positionFirstEuler, rgba, step } from '@principia/physics';
 import { worldSource } from '@principia/render-core';
 import { addComponent, set } from 'bitecs';
 import { expect, test } from 'vitest';
+import ball from '../../packages/scenes/src/examples/ch04/ball.ts';
+import ballInheritsParticle from '../../packages/scenes/src/examples/ch04/ball-inherits-particle.ts';
 import fallWithDrag from '../../packages/scenes/src/examples/ch04/fall-with-drag.ts';
 import motionGraphs from '../../packages/scenes/src/examples/ch04/motion-graphs.ts';
 import { forceOn, run, started } from '../support/laws.ts';
 
-/** A red ball of 20 px at (150, 50) and ten blue ones of 12 to 30 px beside it, all on their way. */
-const ELEVEN_BALLS = Array.from({ length: 11 }, (_, i) => {
-  const radius = i === 0 ? 20 : 10 + 2 * i;
-  return { x: 150 + i, y: 50, radius, color: i === 0 ? 0xffff0000 : 0xff0000ff, velocity: { x: 4 * i, y: -2 } };
+/** What a renderer would draw of a body: place, radii and colour. */
+function drawn(world: PhysicsWorld, id: number) {
+  const { position, radius, size, color } = worldSource(world);
+  return { x: position.x[id], y: position.y[id], radius: radius[id], size: size[id], color: color[id] };
+}
+
+test('ch04-ball: eleven balls are drawn, where they are, as large and in the colour they were given', () => {
+  const { world } = started(ball);
+  const { ids, count } = bodies(world);
+  const before = Array.from(ids.subarray(0, count), (id) => drawn(world, id));
+  expect(worldSource(world).count).toBe(11);
+  // Without a size of its own a body is drawn as large as its collider.
+  expect(before[0]).toEqual({ x: 150, y: 50, radius: 20, size: 0, color: rgba(1, 0.35, 0.3) });
+  step(world, 0.25);
+  for (const [i, { x, y, radius, size, color }] of before.entries()) {
+    if (i > 0) expect(radius).toBe(Math.min(30, Math.max(10, radius)));
+    expect([size, color]).toEqual([0, i === 0 ? rgba(1, 0.35, 0.3) : rgba(0.3, 0.55, 1)]);
+    // A quarter of a second is a binary fraction: only the sums are rounded, by half a unit of 512's last place.
+    const now = drawn(world, ids[i]);
+    expect(Math.max(Math.abs(now.x - x - 25 / 4), Math.abs(now.y - y - 15 / 4))).toBeLessThan(2 ** -44);
+    expect(now).toEqual({ x: now.x, y: now.y, radius, size, color });
+  }
 });
 
-test.each([
-  ['ch04-ball: made in one call', true],
-  ['ch04-ball-inherits-particle: a particle that is given a shape', false],
-])('%s, eleven balls are drawn where they are, as large and in the colour they were given', (_, isWhole) => {
-  const world = createPhysicsWorld({ capacity: 12 });
-  for (const { x, y, radius, color, velocity } of ELEVEN_BALLS) {
-    const particle = { position: { x, y }, velocity, mass: 1 };
-    const shape = { collider: { radius }, appearance: { size: radius, color } };
-    if (isWhole) spawn(world, { ...particle, ...shape });
-    else {
-      const eid = spawn(world, particle);
-      const { Appearance, Collider } = world.components;
-      addComponent(world, eid, set(Appearance, shape.appearance));
-      addComponent(world, eid, set(Collider, shape.collider));
-    }
+test('ch04-ball-inherits-particle: a particle that is given the shape of the ball is drawn as the ball is', () => {
+  const { world } = started(ballInheritsParticle);
+  const [whole, particle] = bodies(world).ids;
+  const { radius, size, color } = drawn(world, whole);
+  addComponent(world, particle, set(world.components.Appearance, { size, color }));
+  addComponent(world, particle, set(world.components.Collider, { radius }));
+  expect(radius).toBe(20);
+  for (let i = 0; i < 2; i++) {
+    const shown = drawn(world, whole);
+    expect(drawn(world, particle)).toEqual({ ...shown, y: shown.y + 200 });
+    step(world, 0.25);
   }
-  // A quarter of a second is a binary fraction: the places are exact.
-  step(world, 0.25);
-  const { ids, count, position, radius, size, color } = worldSource(world);
-  expect(count).toBe(11);
-  const drawn = Array.from(ids.subarray(0, count), (id) => [
-    position.x[id],
-    position.y[id],
-    radius[id],
-    size[id],
-    color[id],
-  ]);
-  expect(drawn).toEqual(ELEVEN_BALLS.map((ball, i) => [150 + 2 * i, 49.5, ball.radius, ball.radius, ball.color]));
 });
 
 test('ch04-motion-graphs: the slope of the displacement is the velocity, to the order of dt', () => {

@@ -1,22 +1,15 @@
 // Springs and oscillations. y points down.
 import {
   centreOfMass,
-  createPhysicsWorld,
   discMass,
-  type Force,
   gaussRadau,
   type Integrator,
   linearDrag,
-  periodicDrive,
   positionFirstEuler,
-  powerLaw,
-  randomDrive,
   rungeKutta4,
-  spawn,
-  springs,
-  uniformGravity,
   velocityVerlet,
 } from '@principia/physics';
+import { addComponent, set } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import bungee from '../../packages/scenes/src/examples/ch08/bungee.ts';
 import coupledChain from '../../packages/scenes/src/examples/ch08/coupled-chain.ts';
@@ -24,30 +17,11 @@ import damped from '../../packages/scenes/src/examples/ch08/damped.ts';
 import dampedAnalytic from '../../packages/scenes/src/examples/ch08/damped-analytic.ts';
 import dragSpring from '../../packages/scenes/src/examples/ch08/drag-spring.ts';
 import forcedPeriodic from '../../packages/scenes/src/examples/ch08/forced-periodic.ts';
+import forcedRandom from '../../packages/scenes/src/examples/ch08/forced-random.ts';
+import stickman from '../../packages/scenes/src/examples/ch08/stickman.ts';
 import { dragBodies } from '../../packages/shell/src/dragging.ts';
 import { forceOn, read, run, started } from '../support/laws.ts';
 import { crossings } from '../support/orbits.ts';
-
-interface Hung {
-  readonly from: { x: number; y: number };
-  readonly at: { x: number; y: number };
-  readonly velocity?: { x?: number; y?: number };
-  readonly stiffness?: number;
-  readonly damping?: number;
-  readonly length?: number;
-  readonly tensionOnly?: number;
-  readonly body?: object;
-}
-
-/** Makes a ball on a spring from a fixed point. */
-function hang(hung: Hung, forces: readonly Force[] = [], integrator: Integrator = velocityVerlet) {
-  const { stiffness = 1, damping = 0, length = 0, tensionOnly = 0 } = hung;
-  const world = createPhysicsWorld({ capacity: 5, forces: [...forces, springs()], integrator });
-  const a = spawn(world, { position: hung.from });
-  const b = spawn(world, { position: hung.at, velocity: hung.velocity ?? {}, mass: 1, ...hung.body });
-  spawn(world, { spring: { a, b, stiffness, damping, length, tensionOnly } });
-  return { world, eid: b, ...read(world, b) };
-}
 
 describe('damped', () => {
   const gamma = 0.25;
@@ -113,15 +87,10 @@ describe('damped', () => {
   });
 
   test('ch08-forced-random: mean 50 of a one-sided force; rms 11.785 of noise, for every step', () => {
-    // Uniform within ±500, drawn 60 times a second: a spectral density of 10⁶/12/60 N² s.
-    const noise = randomDrive({ spectralDensity: 1e6 / 12 / 60 });
-    const mean = periodicDrive({ cosine: { x: 500 }, angularFrequency: 0 });
     // Bodies, and times of 8 s after each other, in which a square forgets all but e^(-c t/m) = 2 %.
     const [count, times] = [2000, 5];
     for (const dt of [1 / 30, 1 / 60]) {
-      const forces = [powerLaw({ strength: -10, exponent: 1 }), linearDrag(), noise, mean];
-      const world = createPhysicsWorld({ capacity: count, forces });
-      for (let i = 0; i < count; i++) spawn(world, { position: { x: 50 }, velocity: {}, mass: 1, linearDrag: 0.5 });
+      const { world } = started(forcedRandom, { values: { push: 500 } });
       let [centre, square] = [0, 0];
       run(world, 8, dt);
       for (let time = 0; time < times; time++) {
@@ -140,19 +109,14 @@ describe('damped', () => {
   });
 });
 
-test('a stick figure with a body of 20 and a head of 10 balances at a fifth of its height', () => {
-  const world = createPhysicsWorld({ capacity: 5 });
-  for (const [radius, y] of [
-    [20, 0],
-    [10, 30],
-  ]) {
-    spawn(world, { position: { y }, velocity: {}, mass: discMass(1, radius), collider: radius });
-  }
+test('ch08-stickman: a body of 20 and a head of 10 balance at a fifth of the distance of their middles', () => {
+  const { world, at } = started(stickman);
+  expect(at().y).toBeCloseTo(30 / 5, 12);
+  expect(at().y).toBeCloseTo((discMass(1, 10) * 30) / (discMass(1, 20) + discMass(1, 10)), 12);
   expect(centreOfMass(world).y).toBeCloseTo(30 / 5, 12);
 });
 
 describe('ch08-bungee', () => {
-  const BUNGEE = { from: { x: 350, y: 50 }, at: { x: 350, y: 50 }, stiffness: 25, length: 100, tensionOnly: 1 };
   /** The jumper is the second body, after the bridge. */
   const jump = (drag: number) => started(bungee, { values: { drag } }, 2);
 
@@ -172,9 +136,10 @@ describe('ch08-bungee', () => {
       });
       expect(Math.abs(low / lowest - 1)).toBeLessThan(0.005);
     }
-    const forces = [uniformGravity({ y: 20 }), linearDrag()];
-    const body = { mass: 90, linearDrag: 90 };
-    const resting = hang({ ...BUNGEE, body }, forces);
+    // Drag of the square of the speed would never bring it quite to rest.
+    const resting = jump(0);
+    resting.world.forces.push(linearDrag());
+    addComponent(resting.world, resting.eid, set(resting.world.components.LinearDrag, 90));
     run(resting.world, 80);
     // Damped by exp(-t/2), it comes to rest where its steps are less than half an ulp, 1.4e-14: at 60 · 1.4e-14 a
     // second, the drag of which holds 90/25 of that.

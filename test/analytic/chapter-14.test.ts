@@ -1,8 +1,6 @@
 // Numerical integration: each scheme on the same few problems.
 import {
   bodies,
-  boxWalls,
-  createPhysicsWorld,
   energy,
   explicitEuler,
   heun,
@@ -11,18 +9,20 @@ import {
   positionFirstEuler,
   rungeKutta4,
   semiImplicitEuler,
-  spawn,
   step,
-  uniformGravity,
   velocityVerlet,
 } from '@principia/physics';
+import type { Example } from '@principia/scenes/examples';
 import { describe, expect, test } from 'vitest';
+import implicitEulerExample from '../../packages/scenes/src/examples/ch14/implicit-euler.ts';
 import orbits from '../../packages/scenes/src/examples/ch14/orbits.ts';
 import projectileVerlet from '../../packages/scenes/src/examples/ch14/projectile-verlet.ts';
 import ropeEuler from '../../packages/scenes/src/examples/ch14/rope-euler.ts';
 import schemesProjectileDrag from '../../packages/scenes/src/examples/ch14/schemes-projectile-drag.ts';
-import { orders, springAndDamper } from '../support/integrator-problems.ts';
-import { started } from '../support/laws.ts';
+import semiImplicitEulerExample from '../../packages/scenes/src/examples/ch14/semi-implicit-euler.ts';
+import timestepTips from '../../packages/scenes/src/examples/ch14/timestep-tips.ts';
+import { orders } from '../support/integrator-problems.ts';
+import { run, started } from '../support/laws.ts';
 import { measureOrbit } from '../support/orbits.ts';
 
 const DT = 1 / 60;
@@ -55,24 +55,30 @@ test('ch14-schemes-projectile-drag: errors after 10 s, and the order of each sch
   }
 });
 
-/** An oscillator of ω = 1 that starts 200 from its centre at rest. */
-function oscillate(integrator: Integrator, dt: number, steps: number, each?: (x: number, v: number) => void) {
-  const world = createPhysicsWorld({ capacity: 10, integrator, forces: [springAndDamper(1, 0)] });
-  const ball = spawn(world, { position: { x: -200 }, velocity: {}, mass: 1 });
-  const { Position, Velocity } = world.components;
+/** Steps the oscillator of ω = 1 that starts 200 from its centre at rest. @param rate steps per second */
+function oscillate(
+  example: Example,
+  { rate, steps, integrator }: { rate: number; steps: number; integrator?: Integrator },
+  each?: (x: number, v: number) => void,
+) {
+  const { world, eid } = started(example, {
+    values: { rate },
+    ...(integrator === undefined ? {} : { integrator }),
+  });
+  const [{ x }, v] = [world.components.Position, world.components.Velocity];
   for (let i = 0; i < steps; i++) {
-    step(world, dt);
-    each?.(Position.x[ball], Velocity.x[ball]);
+    step(world, 1 / rate);
+    each?.(x[eid], v.x[eid]);
   }
-  return { world, x: Position.x[ball], v: Velocity.x[ball], amplitude: Math.hypot(Position.x[ball], Velocity.x[ball]) };
+  return { world, x: x[eid], amplitude: Math.hypot(x[eid], v.x[eid]) };
 }
 
 test('ch14-implicit-euler: the amplitude shrinks by √(1 + ω² dt²) a step, and a step of 10 s is stable', () => {
-  const { amplitude, world } = oscillate(implicitEuler(), DT, 6000);
+  const { amplitude, world } = oscillate(implicitEulerExample, { rate: 60, steps: 6000 });
   expect(amplitude).toBeCloseTo(86.93, 3);
   expect(amplitude).toBeCloseTo(200 / (1 + DT * DT) ** 3000, 5);
   expect(world.faults.faults).toEqual([]);
-  const long = oscillate(implicitEuler(), 10, 5);
+  const long = oscillate(implicitEulerExample, { rate: 0.1, steps: 5 });
   expect(long.amplitude).toBeCloseTo(200 / Math.sqrt(101) ** 5, 6);
   expect(long.world.faults.faults).toEqual([]);
 });
@@ -81,13 +87,16 @@ test('ch14-semi-implicit-euler: both orderings stay bounded, with an energy erro
   for (const integrator of [semiImplicitEuler, positionFirstEuler]) {
     let worst = 0;
     let last = 0;
-    oscillate(integrator, DT, 1_000_000, (x, v) => {
+    oscillate(semiImplicitEulerExample, { rate: 60, steps: 1_000_000, integrator }, (x, v) => {
       last = Math.abs((x * x + v * v) / 40_000 - 1);
       worst = Math.max(worst, last);
     });
     expect(worst).toBeLessThan((1.02 * DT) / 2);
     expect(worst).toBeGreaterThan((0.98 * DT) / 2);
-    const errors = [60, 120, 240].map((n) => Math.abs(oscillate(integrator, 1 / n, n).x + 200 * Math.cos(1)));
+    const errors = [60, 120, 240].map((n) => {
+      const { x } = oscillate(semiImplicitEulerExample, { rate: n, steps: n, integrator });
+      return Math.abs(x + 200 * Math.cos(1));
+    });
     for (const [i, wanted] of [1.4, 0.702, 0.351].entries()) expect(errors[i]).toBeCloseTo(wanted, 2);
   }
 });
@@ -191,24 +200,12 @@ test('ch14-rope-euler: explicit Euler is stable below dt = c/k, semi-implicit fa
 });
 
 test('ch14-timestep-tips: an apex after a bounce is off by less than g dt², because the impact is found in the step', () => {
-  for (const dt of [0.02, 0.01, 0.005]) {
-    const world = createPhysicsWorld({
-      capacity: 10,
-      integrator: velocityVerlet,
-      forces: [uniformGravity({ y: -10 })],
-      walls: [boxWalls({ min: { y: 0 } })],
-    });
-    const ball = spawn(world, {
-      position: { y: 1.1 },
-      velocity: {},
-      mass: 1,
-      collider: { radius: 0.1, restitution: 0.8 },
-    });
+  for (const rate of [50, 100, 200]) {
+    const { world, at, going } = started(timestepTips, { values: { rate } });
     let apex = 0;
-    for (let t = 0; t < 0.9; t += dt) {
-      step(world, dt);
-      if (world.components.Velocity.y[ball] > 0 || apex > 0) apex = Math.max(apex, world.components.Position.y[ball]);
-    }
-    expect(Math.abs(apex - 0.1 - 0.64)).toBeLessThan(10 * dt * dt);
+    run(world, 0.9, 1 / rate, () => {
+      if (going().y > 0 || apex > 0) apex = Math.max(apex, at().y);
+    });
+    expect(Math.abs(apex - 0.1 - 0.64)).toBeLessThan(10 / rate ** 2);
   }
 });

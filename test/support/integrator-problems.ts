@@ -51,7 +51,7 @@ export function keplerExact(e: number, time: number): State {
 }
 
 /** F = -m ω² x - m γ v along x. */
-export function springAndDamper(stiffness: number, damping: number): Force {
+function springAndDamper(stiffness: number, damping: number): Force {
   return defineForce({
     name: 'spring and damper',
     reads: ['Position', 'Velocity', 'Mass'],
