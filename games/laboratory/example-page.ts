@@ -152,7 +152,11 @@ function simulationOf(example: Example, first: ExampleRun, settings: Settings, c
 function rendererOf({ dimensions, pointer }: Example): Readonly<Record<string, Renderer<Settings, LabRun>>> {
   return dimensions === 3
     ? {
-        three: { label: '3D', dimensions, open: async (context) => (await import('./view-3d.ts')).openView3D(context) },
+        three: {
+          label: '3D',
+          dimensions,
+          open: async (context) => (await import('./view-3d.ts')).openView3D(context, pointer),
+        },
       }
     : {
         pixi: {

@@ -1,15 +1,20 @@
 /** The view of an example in three dimensions, drawn by three.js. */
-import type { Picture } from '@principia/scenes/examples';
+import type { Example, Picture } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { type BoxBounds, openThreeView } from '@principia/shell/three';
 import type { LabRun } from './lab-run.ts';
 import { disturb, showing, trailing } from './on-display.ts';
 import { drawPicture3D } from './picture-3d.ts';
+import { listenToPresses, withPresses } from './presses.ts';
 
 /** From the right above in front. */
 const DIRECTION = { x: 0.5, y: 0.35, z: 1 };
 
-export async function openView3D(context: ViewContext<Settings, LabRun>): Promise<View> {
+/** A press that stays for so long is no drag that turns the view, ms. */
+const PATIENCE = 200;
+
+/** @param pointer what presses on the picture do, if anything */
+export async function openView3D(context: ViewContext<Settings, LabRun>, pointer: Example['pointer']): Promise<View> {
   const view = await openThreeView(context, {
     bounds: ({ picture }) => boxOf(picture),
     path: ({ picture }) => picture.cameraPath,
@@ -26,7 +31,9 @@ export async function openView3D(context: ViewContext<Settings, LabRun>): Promis
       };
     },
   });
-  return showing(view);
+  if (pointer === undefined) return showing(view);
+  const { canvas, pointUnder } = view;
+  return showing(withPresses<View>(view, listenToPresses(context, canvas, { pointUnder, patience: PATIENCE })));
 }
 
 function directionOf({ camera }: Picture) {

@@ -205,6 +205,34 @@ describe('a press on the picture', () => {
     await steps(page, 30);
     expect((await body(page, 0)).x).toBeGreaterThan(held.x + 20);
   });
+
+  it('acts in a view of three dimensions when it stays; a drag turns the view', async () => {
+    const page = await laboratory.open('example=ch15-cube-rotation&manual');
+    const energyAfter = async (count: number) => {
+      await steps(page, count);
+      return (await state(page)).energy.kinetic;
+    };
+    // The torque is off after 2400 steps, and the cube slows down.
+    const slowing = await energyAfter(3600);
+    const { x, y } = (await page.locator('.game-stage').boundingBox()) as { x: number; y: number };
+    await page.mouse.move(x + 120, y + 120);
+    await page.mouse.down();
+    await page.mouse.move(x + 160, y + 120, { steps: 4 });
+    await page.waitForTimeout(300);
+    const dragged = await energyAfter(240);
+    expect(dragged).toBeLessThan(slowing);
+    await page.mouse.up();
+    // The reader did not take part yet.
+    const figures = () => page.textContent('.lab-checks');
+    expect(await figures()).not.toContain('left alone');
+    await page.mouse.down();
+    await page.waitForTimeout(300);
+    const held = await energyAfter(240);
+    expect(held).toBeGreaterThan(dragged);
+    await page.mouse.up();
+    expect(await energyAfter(240)).toBeLessThan(held);
+    await expect.poll(figures).toContain('left alone');
+  });
 });
 
 describe('the list', () => {

@@ -88,7 +88,11 @@ export interface ExampleAction<Run> {
   release?(run: Run): void;
 }
 
-/** What a press on the picture does where no body is, in two dimensions. Places are in the units of the world. */
+/**
+ * What a press on the picture does where no body is. Places are in the units of the world; in three dimensions they are
+ * in the plane through the middle of the view that faces the camera, and a drag turns the view instead: only a press
+ * that stays counts.
+ */
 export interface ExamplePointer<Run> {
   /** What happens, such as `place a planet, and launch it by a drag`. */
   readonly about: string;

@@ -7,6 +7,11 @@ import { positionOf, velocityOf } from '../support/read.ts';
 const LEVEL = 300;
 /** Where the centre of the ball rests with the default values: it is 2/3 under water. */
 const REST = 309.043;
+/** Where the ball is thrown from, and how. */
+const THROW = [
+  { x: 50, y: 50 },
+  { x: 40, y: -20 },
+] as const;
 const VIEW = { minX: 0, maxX: 700, minY: 0, maxY: 500 };
 
 export default defineExample({
@@ -27,7 +32,7 @@ export default defineExample({
     const forces = [uniformGravity({ y: gravity }), buoyancy(fluid), immersedDrag(fluid)];
     const world = createPhysicsWorld({ capacity: 4, forces, ...options });
     const body = { mass: 1, hull: 1, collider: 40, quadraticDrag: drag, appearance: rgba(1, 0.7, 0.28) };
-    const ball = spawn(world, { position: { x: 50, y: 50 }, velocity: { x: 40, y: -20 }, ...body });
+    const ball = spawn(world, { position: THROW[0], velocity: THROW[1], ...body });
     // A second ball, without drag, bobs a little about the depth at which it rests.
     const bob = spawn(world, { ...body, position: { x: 560, y: REST + 0.8 }, quadraticDrag: 0 });
     return { world, dt: 1 / 60, ball, bob };
@@ -40,6 +45,14 @@ export default defineExample({
       trails: [{ body: ball, length: 300 }],
       arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.5 }],
     };
+  },
+  actions: {
+    action: {
+      label: 'Throw',
+      about: 'throw the ball again',
+      key: 't',
+      press: ({ world, ball }) => teleport(world, ball, ...THROW),
+    },
   },
   pointer: {
     about: 'put the ball there; a drag throws it',

@@ -55,6 +55,7 @@ export default defineExample({
       release: ({ switches }) => void Object.assign(switches, { byKey: false }),
     },
   },
+  pointer: 'action',
   plots: [
     {
       title: 'Angular velocity',
