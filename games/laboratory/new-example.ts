@@ -57,22 +57,14 @@ export default defineExample({
       },
     },
   },
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'y, m' },
-      series: [{ label: 'ball', value: ({ world, ball }) => positionOf(world, ball).y }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Height after half a second, 6 − g t²/2 but for the drag',
-      unit: 'm',
-      exact: ({ gravity }) => 6 - gravity / 8,
-      tolerance: { relative: 0.01 },
-      at: { time: 0.5 },
-      measure: ({ world, ball }) => positionOf(world, ball).y,
-    },
+  plots: (plot) => [plot('Height', 'y, m', { label: 'ball', value: ({ world, ball }) => positionOf(world, ball).y })],
+  checks: ({ at }) => [
+    at(
+      0.5,
+      'Height after half a second, 6 − g t²/2 but for the drag',
+      { exact: ({ gravity }) => 6 - gravity / 8, unit: 'm', relative: 0.01 },
+      ({ world, ball }) => positionOf(world, ball).y,
+    ),
   ],
   tryThis: ['Make gravity that of the Moon, 1.6 m/s².', 'Spawn a second ball, and trail it.'],
 });

@@ -2,7 +2,9 @@ import { type Integrator, PhysicsError } from '@principia/physics';
 import { checkParameter, type SceneRun } from '../scene.ts';
 import { type Check, type CheckState, type Monitor, monitor } from './check.ts';
 import { densities } from './densities.ts';
+import { type Figures, figuresOf } from './figures.ts';
 import type { Picture, Point } from './picture.ts';
+import { type Plot, type PlotOf, plotOf } from './plot.ts';
 
 /** A parameter of an example: a number in a range, or a choice of words, whose value is the index of the word. */
 export interface ExampleParameter {
@@ -36,25 +38,6 @@ export interface BuildOptions {
   readonly seed: number;
   /** Replaces the integrator of the example, to compare schemes. */
   readonly integrator?: Integrator;
-}
-
-/** A line of a plot. */
-export interface Series<Run, Values> {
-  readonly label: string;
-  /** The present value. */
-  readonly value: (run: Run) => number;
-  /** The exact value at a time, s, drawn as a thin line. */
-  readonly exact?: (time: number, values: Values) => number;
-}
-
-/** A plot: of the series against time, or of each against the quantity `x`. */
-export interface Plot<Run, Values> {
-  readonly title: string;
-  /** Label and unit of the horizontal axis; default `t, s`. */
-  readonly x?: { readonly label: string; readonly value: (run: Run) => number };
-  /** Label and unit of the vertical axis. */
-  readonly y: { readonly label: string };
-  readonly series: readonly Series<Run, Values>[];
 }
 
 /** A distribution: how many of some numbers are in each of equal intervals, as a density. */
@@ -109,6 +92,13 @@ export interface ExamplePointer<Run> {
 /** What happens to a press on the picture. */
 export type PointerEventName = 'press' | 'move' | 'release' | 'cancel';
 
+/** A list that is made from what makes its items. */
+type Made<Makers, Item> = (makers: NoInfer<Makers>) => readonly NoInfer<Item>[];
+
+function listBy<Makers, Item>(list: readonly Item[] | Made<Makers, Item>, makers: NoInfer<Makers>): readonly Item[] {
+  return typeof list === 'function' ? list(makers) : list;
+}
+
 /** The definition of an example. */
 export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   /** Chapter and name, as the path of the file: `ch05-floating-ball` is in `ch05/floating-ball.ts`. */
@@ -133,9 +123,13 @@ export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   readonly actions?: Readonly<Record<string, ExampleAction<NoInfer<Run>>>>;
   /** What a press on the picture does where no body is: the name of an action, or something that depends on the place. */
   readonly pointer?: string | ExamplePointer<NoInfer<Run>>;
-  readonly plots: readonly Plot<Run, ValuesOf<Name>>[];
+  /** A list, or a function of what makes plots against the time. */
+  readonly plots: readonly Plot<Run, ValuesOf<Name>>[] | Made<PlotOf<Run, ValuesOf<Name>>, Plot<Run, ValuesOf<Name>>>;
   readonly histograms?: readonly Histogram<Run, ValuesOf<Name>>[];
-  readonly checks: readonly Check<Run, ValuesOf<Name>>[];
+  /** A list, or a function of what makes figures of the usual kinds. */
+  readonly checks:
+    | readonly Check<Run, ValuesOf<Name>>[]
+    | Made<Figures<Run, ValuesOf<Name>>, Check<Run, ValuesOf<Name>>>;
   /** Sentences that tell the reader what to change and what to watch. */
   readonly tryThis: readonly string[];
 }
@@ -211,7 +205,8 @@ export interface Example {
 /** Makes an example from its definition. */
 export function defineExample<Name extends string, Run extends SceneRun>(spec: ExampleSpec<Name, Run>): Example {
   const { id, title, chapter, tags, about, dimensions = 2, duration, ends = false } = spec;
-  const { parameters, presets = [], actions = {}, tryThis, checks } = spec;
+  const { parameters, presets = [], actions = {}, tryThis } = spec;
+  const checks = listBy(spec.checks, figuresOf());
   const pointer = pointerOf(spec);
   return {
     id,
@@ -268,7 +263,7 @@ function startRun<Name extends string, Run extends SceneRun>(
     );
   };
   const pointer = pointerOf(spec);
-  const watch: Monitor = monitor(run, values, spec.checks, hasValuesOf);
+  const watch: Monitor = monitor(run, values, listBy(spec.checks, figuresOf()), hasValuesOf);
   return {
     ...run,
     world,
@@ -276,7 +271,7 @@ function startRun<Name extends string, Run extends SceneRun>(
     values,
     ownIntegrator,
     picture: spec.picture(run, values),
-    plots: spec.plots.map((plot) => livePlot(plot, run, values)),
+    plots: listBy(spec.plots, plotOf()).map((plot) => livePlot(plot, run, values)),
     histograms: (spec.histograms ?? []).map((histogram) => liveHistogram(histogram, run, values)),
     act(name, isDown) {
       if (isDown) spec.actions?.[name]?.press(run);

@@ -15,11 +15,10 @@ export {
   type Histogram,
   type LiveHistogram,
   type LivePlot,
-  type Plot,
   type PointerEventName,
-  type Series,
   type ValuesOf,
 } from './define-example.ts';
+export type { Expected, Figures } from './figures.ts';
 export { type Frame, frameOf } from './frame.ts';
 export {
   type Arrow,
@@ -40,3 +39,4 @@ export {
   type Trail,
   type ViewBox,
 } from './picture.ts';
+export type { Plot, PlotOf, Series } from './plot.ts';

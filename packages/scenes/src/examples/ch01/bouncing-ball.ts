@@ -60,22 +60,16 @@ export default defineExample({
       arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.2 }],
     };
   },
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, px' },
-      series: [{ label: 'height', value: ({ world, ball }) => FLOOR - positionOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, px', { label: 'height', value: ({ world, ball }) => FLOOR - positionOf(world, ball).y }),
   ],
-  checks: [
-    {
-      label: 'Speed of the first impact, √(2 g h)',
-      unit: 'px/s',
-      exact: impactSpeed,
-      tolerance: { relative: 0.005 },
-      at: { until: 4, take: 'largest' },
-      measure: ({ hitSpeed }) => hitSpeed(),
-    },
+  checks: ({ largest }) => [
+    largest(
+      4,
+      'Speed of the first impact, √(2 g h)',
+      { exact: impactSpeed, unit: 'px/s', relative: 0.005 },
+      ({ hitSpeed }) => hitSpeed(),
+    ),
     {
       label: 'Time of the first impact, √(2h/g), in frames of 1/60 s',
       exact: 92.7,

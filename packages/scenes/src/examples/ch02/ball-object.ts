@@ -55,15 +55,8 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Area in squares of 1 px, π r²',
-      unit: 'px²',
-      exact: 7854,
-      tolerance: { relative: 0.01 },
-      at: { time: 0 },
-      measure: ({ area }) => area(1),
-    },
+  checks: ({ at }) => [
+    at(0, 'Area in squares of 1 px, π r²', { exact: 7854, unit: 'px²', relative: 0.01 }, ({ area }) => area(1)),
   ],
   tryThis: ['Take large squares and change the radius a little: the number of squares jumps, and π with it.'],
 });

@@ -49,25 +49,18 @@ export default defineExample({
       },
     ],
   }),
-  plots: [
-    {
-      title: 'Height of both',
-      y: { label: 'height, px' },
-      series: [
-        { label: 'whole', value: ({ world, whole }) => 480 - positionOf(world, whole).y },
-        { label: 'assembled', value: ({ world, assembled }) => 480 - positionOf(world, assembled).y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Height of both',
+      'height, px',
+      { label: 'whole', value: ({ world, whole }) => 480 - positionOf(world, whole).y },
+      { label: 'assembled', value: ({ world, assembled }) => 480 - positionOf(world, assembled).y },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest difference in 1000 steps',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 1000 / 60, take: 'largest' },
-      measure: ({ difference }) => difference(),
-    },
+  checks: ({ largest }) => [
+    largest(1000 / 60, 'Largest difference in 1000 steps', { exact: 0, unit: 'px', absolute: 0 }, ({ difference }) =>
+      difference(),
+    ),
     {
       label: 'Height after the first bounce, 430 e²',
       unit: 'px',

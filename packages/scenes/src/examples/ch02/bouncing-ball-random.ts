@@ -50,46 +50,37 @@ export default defineExample({
     trails: ids.map((body) => ({ body, length: 120 })),
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.3 }],
   }),
-  plots: [
-    {
-      title: 'Speed of the first ball',
-      y: { label: 'speed, px/s' },
-      series: [{ label: 'speed', value: ({ world, ball }) => speedOf(world, ball) }],
-    },
+  plots: (plot) => [
+    plot('Speed of the first ball', 'speed, px/s', {
+      label: 'speed',
+      value: ({ world, ball }) => speedOf(world, ball),
+    }),
   ],
-  checks: [
-    {
-      label: 'Mean velocity to the right of 10 000 draws',
-      unit: 'px/s',
-      exact: 150,
-      tolerance: { absolute: ofMean(300) },
-      at: { time: 0 },
-      measure: ({ moments }) => moments.x.mean,
-    },
-    {
-      label: 'Its variance, 300²/12',
-      unit: 'px²/s²',
-      exact: 7500,
-      tolerance: { absolute: ofVariance(300) },
-      at: { time: 0 },
-      measure: ({ moments }) => moments.x.variance,
-    },
-    {
-      label: 'Mean velocity downwards',
-      unit: 'px/s',
-      exact: 0,
-      tolerance: { absolute: ofMean(240) },
-      at: { time: 0 },
-      measure: ({ moments }) => moments.y.mean,
-    },
-    {
-      label: 'Its variance, 240²/12',
-      unit: 'px²/s²',
-      exact: 4800,
-      tolerance: { absolute: ofVariance(240) },
-      at: { time: 0 },
-      measure: ({ moments }) => moments.y.variance,
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'Mean velocity to the right of 10 000 draws',
+      { exact: 150, unit: 'px/s', absolute: ofMean(300) },
+      ({ moments }) => moments.x.mean,
+    ),
+    at(
+      0,
+      'Its variance, 300²/12',
+      { exact: 7500, unit: 'px²/s²', absolute: ofVariance(300) },
+      ({ moments }) => moments.x.variance,
+    ),
+    at(
+      0,
+      'Mean velocity downwards',
+      { exact: 0, unit: 'px/s', absolute: ofMean(240) },
+      ({ moments }) => moments.y.mean,
+    ),
+    at(
+      0,
+      'Its variance, 240²/12',
+      { exact: 4800, unit: 'px²/s²', absolute: ofVariance(240) },
+      ({ moments }) => moments.y.variance,
+    ),
   ],
   tryThis: [
     'Start again with another seed: another throw. With the old seed the old throw comes back.',

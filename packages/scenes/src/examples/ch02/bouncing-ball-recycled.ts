@@ -46,37 +46,23 @@ export default defineExample({
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.3 }],
     labels: [{ at: { x: 20, y: 495 }, text: () => `throw ${launches.count}` }],
   }),
-  plots: [
-    {
-      title: 'Way to the right',
-      y: { label: 'x, px' },
-      series: [{ label: 'x', value: ({ world, ball }) => positionOf(world, ball).x }],
-    },
+  plots: (plot) => [
+    plot('Way to the right', 'x, px', { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x }),
   ],
-  checks: [
-    {
-      label: 'Most balls at any time',
-      exact: 1,
-      tolerance: { absolute: 0 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world }) => bodies(world).count,
-    },
-    {
-      label: 'Furthest to the right, at most a step of 5 px beyond the edge',
-      unit: 'px',
-      exact: STAGE.maxX + RADIUS + 2.5,
-      tolerance: { absolute: 2.5 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, ball }) => positionOf(world, ball).x,
-    },
-    {
-      label: 'Balls that are left after 30 s',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 30 },
-      measure: ({ world }) => bodies(world).count,
-      preset: 'Removed',
-    },
+  checks: ({ at, largest }) => [
+    largest(30, 'Most balls at any time', { exact: 1, absolute: 0 }, ({ world }) => bodies(world).count),
+    largest(
+      30,
+      'Furthest to the right, at most a step of 5 px beyond the edge',
+      { exact: STAGE.maxX + RADIUS + 2.5, unit: 'px', absolute: 2.5 },
+      ({ world, ball }) => positionOf(world, ball).x,
+    ),
+    at(
+      30,
+      'Balls that are left after 30 s',
+      { exact: 0, absolute: 0, preset: 'Removed' },
+      ({ world }) => bodies(world).count,
+    ),
   ],
   tryThis: [
     'Choose “Removed”: the ball leaves, and the stage stays empty.',

@@ -63,29 +63,25 @@ export default defineExample({
     fills: [GROUND],
     trails: ids.map((body) => ({ body, length: 90 })),
   }),
-  plots: [
-    {
-      title: 'Energy of the motion up and down',
-      y: { label: 'share of the start, %' },
-      series: [{ label: 'all balls', value: ({ verticalEnergy, start }) => (100 * verticalEnergy()) / start }],
-    },
+  plots: (plot) => [
+    plot('Energy of the motion up and down', 'share of the start, %', {
+      label: 'all balls',
+      value: ({ verticalEnergy, start }) => (100 * verticalEnergy()) / start,
+    }),
   ],
-  checks: [
-    {
-      label: 'Number of balls after 16 s',
-      exact: ({ balls }) => balls,
-      tolerance: { absolute: 0 },
-      at: { time: 16 },
-      measure: ({ world }) => bodies(world).count,
-    },
-    {
-      label: 'Largest distance from a ball thrown alone, after 16 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 16 },
-      measure: ({ apart }) => apart(),
-    },
+  checks: ({ at }) => [
+    at(
+      16,
+      'Number of balls after 16 s',
+      { exact: ({ balls }) => balls, absolute: 0 },
+      ({ world }) => bodies(world).count,
+    ),
+    at(
+      16,
+      'Largest distance from a ball thrown alone, after 16 s',
+      { exact: 0, unit: 'px', absolute: 0 },
+      ({ apart }) => apart(),
+    ),
     {
       label: 'First ball: time of the bounce, less (√(v² + 2 g h) − v)/g',
       unit: 's',
@@ -94,14 +90,13 @@ export default defineExample({
       at: { event: ({ world, ids }) => (velocityOf(world, ids[0]).y < 0 && world.time > 1 ? 1 : -1) },
       measure: ({ world, firstContact }) => world.time - firstContact,
     },
-    {
-      // The five first bounces are over after 2.2 s at the latest, and none of the second has come by 3 s.
-      label: 'Energy after one bounce each, e²',
-      exact: 0.64,
-      tolerance: { relative: 1e-9 },
-      at: { time: 3 },
-      measure: ({ verticalEnergy, start }) => verticalEnergy() / start,
-    },
+    // The five first bounces are over after 2.2 s at the latest, and none of the second has come by 3 s.
+    at(
+      3,
+      'Energy after one bounce each, e²',
+      { exact: 0.64, relative: 1e-9 },
+      ({ verticalEnergy, start }) => verticalEnergy() / start,
+    ),
   ],
   tryThis: [
     'Make it fifty balls: they form a cloud, whose last bounces are over within 15 seconds.',

@@ -41,15 +41,10 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Area that is covered twice, 50 by 100 px',
-      unit: 'px²',
-      exact: 5000,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ shared }) => shared(),
-    },
+  checks: ({ at }) => [
+    at(0, 'Area that is covered twice, 50 by 100 px', { exact: 5000, unit: 'px²', absolute: 0 }, ({ shared }) =>
+      shared(),
+    ),
   ],
   tryThis: ['Choose “Green on top”: nothing has moved, and yet the red sheet now lies behind.'],
 });

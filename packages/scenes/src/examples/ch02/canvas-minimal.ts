@@ -43,34 +43,23 @@ export default defineExample({
       },
     ],
   }),
-  plots: [
-    {
-      title: 'Place of the dot',
-      y: { label: 'px' },
-      series: [
-        { label: 'x', value: ({ place }) => place().x },
-        { label: 'y', value: ({ place }) => place().y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Place of the dot',
+      'px',
+      { label: 'x', value: ({ place }) => place().x },
+      { label: 'y', value: ({ place }) => place().y },
+    ),
   ],
-  checks: [
-    {
-      label: 'Time once round the sheet, 2 (700 + 500) px at 100 px/s: distance of the dot from the corner',
-      unit: 'px',
-      exact: 0,
-      // Sums of 1440 steps are off by rounding.
-      tolerance: { absolute: 1e-6 },
-      at: { time: 24 },
-      measure: ({ place }) => place().x + place().y,
-    },
-    {
-      label: 'Lowest place of the dot, y',
-      unit: 'px',
-      exact: HEIGHT,
-      tolerance: { absolute: 0 },
-      at: { until: 24, take: 'largest' },
-      measure: ({ place }) => place().y,
-    },
+  checks: ({ at, largest }) => [
+    // Sums of 1440 steps are off by rounding.
+    at(
+      24,
+      'Time once round the sheet, 2 (700 + 500) px at 100 px/s: distance of the dot from the corner',
+      { exact: 0, unit: 'px', absolute: 1e-6 },
+      ({ place }) => place().x + place().y,
+    ),
+    largest(24, 'Lowest place of the dot, y', { exact: HEIGHT, unit: 'px', absolute: 0 }, ({ place }) => place().y),
   ],
   tryThis: ['Follow y while the dot goes down the right side: it grows, against the habit of mathematics.'],
 });

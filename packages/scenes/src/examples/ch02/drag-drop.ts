@@ -45,12 +45,8 @@ export default defineExample({
     trails: [{ body: ball, length: 200 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.2 }],
   }),
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, px' },
-      series: [{ label: 'height', value: ({ world, ball }) => FLOOR - positionOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, px', { label: 'height', value: ({ world, ball }) => FLOOR - positionOf(world, ball).y }),
   ],
   checks: [
     {

@@ -65,39 +65,15 @@ export default defineExample({
     ],
   }),
   plots: [],
-  checks: [
-    {
-      label: 'Length of the line, √(200² + 300²)',
-      unit: 'px',
-      exact: 360.6,
-      tolerance: { absolute: 0.05 },
-      at: { time: 0 },
-      measure: () => distanceBetween(A, B),
-    },
-    {
-      label: 'Area of the green box',
-      unit: 'px²',
-      exact: 15000,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: () => areaOf(RECTANGLE),
-    },
-    {
-      label: 'Area within the blue outline',
-      unit: 'px²',
-      exact: 15000,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: () => areaOf(OUTLINE),
-    },
-    {
-      label: 'Area of the disc of 48 corners, π r²',
-      unit: 'px²',
-      exact: 10000 * Math.PI,
-      tolerance: { relative: 0.01 },
-      at: { time: 0 },
-      measure: ({ disc }) => areaOf(disc),
-    },
+  checks: ({ at }) => [
+    at(0, 'Length of the line, √(200² + 300²)', { exact: 360.6, unit: 'px', absolute: 0.05 }, () =>
+      distanceBetween(A, B),
+    ),
+    at(0, 'Area of the green box', { exact: 15000, unit: 'px²', absolute: 0 }, () => areaOf(RECTANGLE)),
+    at(0, 'Area within the blue outline', { exact: 15000, unit: 'px²', absolute: 0 }, () => areaOf(OUTLINE)),
+    at(0, 'Area of the disc of 48 corners, π r²', { exact: 10000 * Math.PI, unit: 'px²', relative: 0.01 }, ({ disc }) =>
+      areaOf(disc),
+    ),
   ],
   tryThis: [
     'Take six corners: 17 % of the area is missing. With twelve it is only 5 %.',

@@ -74,28 +74,10 @@ export default defineExample({
       ],
     },
   ],
-  checks: [
-    {
-      label: 'Red of the stripe at half height',
-      exact: 128,
-      tolerance: { absolute: 2 },
-      at: { time: 0 },
-      measure: ({ sky }) => sky[50][0],
-    },
-    {
-      label: 'Blue of the stripe at half height',
-      exact: 255,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ sky }) => sky[50][2],
-    },
-    {
-      label: 'Green of the glow half-way from 5 to 50 px',
-      exact: 127.5,
-      tolerance: { absolute: 2 },
-      at: { time: 0 },
-      measure: ({ glow }) => glow[50][1],
-    },
+  checks: ({ at }) => [
+    at(0, 'Red of the stripe at half height', { exact: 128, absolute: 2 }, ({ sky }) => sky[50][0]),
+    at(0, 'Blue of the stripe at half height', { exact: 255, absolute: 0 }, ({ sky }) => sky[50][2]),
+    at(0, 'Green of the glow half-way from 5 to 50 px', { exact: 127.5, absolute: 2 }, ({ glow }) => glow[50][1]),
   ],
   tryThis: ['Choose “Nine stripes”: the eye sees an edge at each, even darker than it is.'],
 });

@@ -37,21 +37,9 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Upright lines, 350/10 + 1',
-      exact: 36,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ upright }) => upright.length,
-    },
-    {
-      label: 'Level lines, 250/10 + 1',
-      exact: 26,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ level }) => level.length,
-    },
+  checks: ({ at }) => [
+    at(0, 'Upright lines, 350/10 + 1', { exact: 36, absolute: 0 }, ({ upright }) => upright.length),
+    at(0, 'Level lines, 250/10 + 1', { exact: 26, absolute: 0 }, ({ level }) => level.length),
   ],
   tryThis: ['Choose a distance that does not divide 350: the last gap is missing, and the grid ends too soon.'],
 });

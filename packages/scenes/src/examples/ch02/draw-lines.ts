@@ -46,22 +46,9 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Length, √(200² + 300²)',
-      unit: 'px',
-      exact: 360.6,
-      tolerance: { absolute: 0.05 },
-      at: { time: 0 },
-      measure: ({ length }) => length(),
-    },
-    {
-      label: 'Squares of 10 px, one in each row: 300/10 + 1',
-      exact: 31,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ squares }) => squares.length,
-    },
+  checks: ({ at }) => [
+    at(0, 'Length, √(200² + 300²)', { exact: 360.6, unit: 'px', absolute: 0.05 }, ({ length }) => length()),
+    at(0, 'Squares of 10 px, one in each row: 300/10 + 1', { exact: 31, absolute: 0 }, ({ squares }) => squares.length),
   ],
   tryThis: [
     'Make the squares small: the steps are still there, only too small to see.',

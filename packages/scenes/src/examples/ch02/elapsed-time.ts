@@ -43,48 +43,38 @@ export default defineExample({
       { at: () => ({ x: onStage(counted()), y: y + 30 }), radius: 12, color: COLORS.orange },
     ]),
   }),
-  plots: [
-    {
-      title: 'Way by counting pictures',
-      y: { label: 'way, px' },
-      series: [30, 60, 144].map((rate, i) => ({
+  plots: (plot) => [
+    plot(
+      'Way by counting pictures',
+      'way, px',
+      ...[30, 60, 144].map((rate, i) => ({
         label: `${rate} a second`,
         value: ({ screens }: { screens: readonly { counted(): number }[] }) => screens[i].counted() - START,
       })),
-    },
+    ),
   ],
-  checks: [
-    {
-      label: 'Way of a blue dot in 10 s, v t',
-      unit: 'px',
-      exact: ({ speed }) => 10 * speed,
-      tolerance: { relative: 1e-9 },
-      at: { time: 10 },
-      measure: ({ screens }) => screens[2].timed() - START,
-    },
-    {
-      label: 'Largest distance of two blue dots after 10 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ screens }) => Math.max(...screens.map((a) => Math.abs(a.timed() - screens[0].timed()))),
-    },
-    {
-      label: 'Orange dot at 60 pictures a second after n = 600 of them, 2 n',
-      unit: 'px',
-      exact: ({ perFrame }) => 600 * perFrame,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ screens }) => screens[1].counted() - START,
-    },
-    {
-      label: 'Orange dots: fastest and slowest, 144/30',
-      exact: 4.8,
-      tolerance: { relative: 1e-9 },
-      at: { time: 10 },
-      measure: ({ screens }) => (screens[2].counted() - START) / (screens[0].counted() - START),
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Way of a blue dot in 10 s, v t',
+      { exact: ({ speed }) => 10 * speed, unit: 'px', relative: 1e-9 },
+      ({ screens }) => screens[2].timed() - START,
+    ),
+    at(10, 'Largest distance of two blue dots after 10 s', { exact: 0, unit: 'px', absolute: 1e-9 }, ({ screens }) =>
+      Math.max(...screens.map((a) => Math.abs(a.timed() - screens[0].timed()))),
+    ),
+    at(
+      10,
+      'Orange dot at 60 pictures a second after n = 600 of them, 2 n',
+      { exact: ({ perFrame }) => 600 * perFrame, unit: 'px', absolute: 1e-9 },
+      ({ screens }) => screens[1].counted() - START,
+    ),
+    at(
+      10,
+      'Orange dots: fastest and slowest, 144/30',
+      { exact: 4.8, relative: 1e-9 },
+      ({ screens }) => (screens[2].counted() - START) / (screens[0].counted() - START),
+    ),
   ],
   tryThis: [
     'Set the velocity to 120 px/s: now the middle row moves at the same speed in both ways, and the others do not.',

@@ -103,28 +103,24 @@ export default defineExample({
       release: (run) => run.press(0, 1),
     },
   },
-  plots: [
-    {
-      title: 'Speed to the right',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'puck', value: ({ world, first }) => velocityOf(world, first).x },
-        { label: 'echo', value: ({ world, echo }) => velocityOf(world, echo).x },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed to the right',
+      'v, px/s',
+      { label: 'puck', value: ({ world, first }) => velocityOf(world, first).x },
+      { label: 'echo', value: ({ world, echo }) => velocityOf(world, echo).x },
+    ),
   ],
-  checks: [
-    {
-      label: 'Distance of the echo from where the puck was two seconds ago, after 8 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 8 },
-      measure: ({ world, echo, keys: { path } }) => {
+  checks: ({ at }) => [
+    at(
+      8,
+      'Distance of the echo from where the puck was two seconds ago, after 8 s',
+      { exact: 0, unit: 'px', absolute: 0 },
+      ({ world, echo, keys: { path } }) => {
         const [{ x, y }, i] = [positionOf(world, echo), 2 * (world.tick - DELAY)];
         return Math.max(Math.abs(x - path[i]), Math.abs(y - path[i + 1]));
       },
-    },
+    ),
   ],
   tryThis: [
     'Press the arrow keys in any rhythm, and watch the orange puck dance to it two seconds later.',

@@ -61,38 +61,28 @@ export default defineExample({
     },
   },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, px' },
-      series: [{ label: 'height', value: ({ world, ball }) => 480 - positionOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, px', { label: 'height', value: ({ world, ball }) => 480 - positionOf(world, ball).y }),
   ],
-  checks: [
-    {
-      label: 'Velocity after the pause, less that before it',
-      unit: 'px/s',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: HELD.to },
-      measure: ({ world, ball, hold }) => velocityOf(world, ball).y - hold.vy,
-    },
-    {
-      label: 'Place after the pause, less that before it',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: HELD.to },
-      measure: ({ world, ball, hold }) => positionOf(world, ball).y - hold.y,
-    },
-    {
-      label: 'Time of moving and time of holding, at 5 s',
-      unit: 's',
-      exact: 5,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 5 },
-      measure: ({ world, ball, hold }) => (positionOf(world, ball).x - START.x) / velocityOf(world, ball).x + hold.time,
-    },
+  checks: ({ at }) => [
+    at(
+      HELD.to,
+      'Velocity after the pause, less that before it',
+      { exact: 0, unit: 'px/s', absolute: 0 },
+      ({ world, ball, hold }) => velocityOf(world, ball).y - hold.vy,
+    ),
+    at(
+      HELD.to,
+      'Place after the pause, less that before it',
+      { exact: 0, unit: 'px', absolute: 0 },
+      ({ world, ball, hold }) => positionOf(world, ball).y - hold.y,
+    ),
+    at(
+      5,
+      'Time of moving and time of holding, at 5 s',
+      { exact: 5, unit: 's', absolute: 1e-9 },
+      ({ world, ball, hold }) => (positionOf(world, ball).x - START.x) / velocityOf(world, ball).x + hold.time,
+    ),
   ],
   tryThis: [
     'Hold H while the ball is in the air: the curve of the height gets a level piece, and goes on behind it unchanged.',

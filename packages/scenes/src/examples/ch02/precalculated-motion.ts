@@ -54,35 +54,30 @@ export default defineExample({
     curves: [{ points: path, now: () => frame(0), markRadius: 1.2 * RADIUS, label: 'film', color: COLORS.white }],
     dots: [1, 2].map((later) => ({ at: () => frame(later), color: COLORS.orange })),
   }),
-  plots: [
-    {
-      title: 'Height, in the film and now',
-      y: { label: 'height, px' },
-      series: [
-        { label: 'film', value: ({ frame }) => 480 - frame(0).y },
-        { label: 'now', value: ({ world, ball }) => 480 - positionOf(world, ball).y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Height, in the film and now',
+      'height, px',
+      { label: 'film', value: ({ frame }) => 480 - frame(0).y },
+      { label: 'now', value: ({ world, ball }) => 480 - positionOf(world, ball).y },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest distance of ball and film',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: SECONDS, take: 'largest' },
-      measure: ({ world, ball, frame }) => {
+  checks: ({ at, largest }) => [
+    largest(
+      SECONDS,
+      'Largest distance of ball and film',
+      { exact: 0, unit: 'px', absolute: 0 },
+      ({ world, ball, frame }) => {
         const [{ x, y }, film] = [positionOf(world, ball), frame(0)];
         return Math.max(Math.abs(x - film.x), Math.abs(y - film.y));
       },
-    },
-    {
-      label: 'Pictures of the film, 60 a second and the first',
-      exact: 60 * SECONDS + 1,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ path }) => path.length,
-    },
+    ),
+    at(
+      0,
+      'Pictures of the film, 60 a second and the first',
+      { exact: 60 * SECONDS + 1, absolute: 0 },
+      ({ path }) => path.length,
+    ),
   ],
   tryThis: [
     'Drag the ball away while it flies: the film does not know of it, and plays on unchanged.',

@@ -35,28 +35,26 @@ export default defineExample({
   },
   picture: ({ world, shown, x }) =>
     discOnLine(x, COLORS.green, () => `${shown.count} pictures in ${world.time.toFixed(1)} s`),
-  plots: [
-    {
-      title: 'Pictures so far',
-      y: { label: 'pictures' },
-      series: [{ label: 'shown', value: ({ shown }) => shown.count, exact: (t, { cap }) => cap * t }],
-    },
+  plots: (plot) => [
+    plot('Pictures so far', 'pictures', {
+      label: 'shown',
+      value: ({ shown }) => shown.count,
+      exact: (t, { cap }) => cap * t,
+    }),
   ],
-  checks: [
-    {
-      label: 'Pictures in 10 s: every ⌈rate/cap⌉-th of the display’s',
-      exact: ({ rate, cap }) => Math.floor((10 * rate) / Math.ceil(rate / cap)),
-      tolerance: { absolute: 0 },
-      at: { time: 10 },
-      measure: ({ shown }) => shown.count,
-    },
-    {
-      label: 'Pictures in 10 s of a display of 144 with a cap of 60',
-      exact: 480,
-      tolerance: { absolute: 0 },
-      at: { time: 10 },
-      measure: ({ shown }) => shown.count,
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Pictures in 10 s: every ⌈rate/cap⌉-th of the display’s',
+      { exact: ({ rate, cap }) => Math.floor((10 * rate) / Math.ceil(rate / cap)), absolute: 0 },
+      ({ shown }) => shown.count,
+    ),
+    at(
+      10,
+      'Pictures in 10 s of a display of 144 with a cap of 60',
+      { exact: 480, absolute: 0 },
+      ({ shown }) => shown.count,
+    ),
   ],
   tryThis: ['Raise the cap until it is 72, half of 144: now every second picture is shown, and none is lost.'],
 });

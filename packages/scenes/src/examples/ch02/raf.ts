@@ -19,22 +19,16 @@ export default defineExample({
     return { world, dt: 1 / 720, frames, x: () => placeAfter(frames()) };
   },
   picture: ({ frames, x }) => discOnLine(x, COLORS.orange, () => `picture ${frames()}`),
-  plots: [
-    {
-      title: 'Place of the disc',
-      y: { label: 'x, px' },
-      series: [{ label: 'x', value: ({ x }) => x(), exact: (t) => placeAfter(60 * t) }],
-    },
+  plots: (plot) => [
+    plot('Place of the disc', 'x, px', { label: 'x', value: ({ x }) => x(), exact: (t) => placeAfter(60 * t) }),
   ],
-  checks: [
-    {
-      label: 'Place after 10 s, 50 + 2 · 10 · rate',
-      unit: 'px',
-      exact: ({ rate }) => 50 + 20 * rate,
-      tolerance: { absolute: 0 },
-      at: { time: 10 },
-      measure: ({ x }) => x(),
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Place after 10 s, 50 + 2 · 10 · rate',
+      { exact: ({ rate }) => 50 + 20 * rate, unit: 'px', absolute: 0 },
+      ({ x }) => x(),
+    ),
   ],
   tryThis: ['Choose “A fast display”: the thin line of the plot is where the disc would be at 60 pictures a second.'],
 });

@@ -20,22 +20,15 @@ export default defineExample({
     return { world, dt: 1 / 240, ticks, x: () => placeAfter(ticks()) };
   },
   picture: ({ ticks, x }) => discOnLine(x, COLORS.blue, () => `tick ${ticks()}`),
-  plots: [
-    {
-      title: 'Place of the disc',
-      y: { label: 'x, px' },
-      series: [{ label: 'x', value: ({ x }) => x(), exact: (t, { interval }) => placeAfter((1000 * t) / interval) }],
-    },
+  plots: (plot) => [
+    plot('Place of the disc', 'x, px', {
+      label: 'x',
+      value: ({ x }) => x(),
+      exact: (t, { interval }) => placeAfter((1000 * t) / interval),
+    }),
   ],
-  checks: [
-    {
-      label: 'Place after n = 600 ticks, 50 + 2 n',
-      unit: 'px',
-      exact: 1250,
-      tolerance: { absolute: 0 },
-      at: { time: 10 },
-      measure: ({ x }) => x(),
-    },
+  checks: ({ at }) => [
+    at(10, 'Place after n = 600 ticks, 50 + 2 n', { exact: 1250, unit: 'px', absolute: 0 }, ({ x }) => x()),
   ],
   tryThis: [
     'Choose “Twice a second”, and look at the plot: a staircase instead of a slope.',

@@ -50,31 +50,21 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Error of the slope',
-      y: { label: 'error' },
-      series: [
-        { label: 'one ahead', value: ({ h, x }) => forward(x(), h) - 2 * x() },
-        { label: 'both sides', value: ({ h, x }) => slopeOf(f, x(), h) - 2 * x() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Error of the slope',
+      'error',
+      { label: 'one ahead', value: ({ h, x }) => forward(x(), h) - 2 * x() },
+      { label: 'both sides', value: ({ h, x }) => slopeOf(f, x(), h) - 2 * x() },
+    ),
   ],
-  checks: [
-    {
-      label: 'One point ahead: largest difference from 2x + h',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 0 },
-      measure: ({ h }) => largestOf((x) => forward(x, h) - 2 * x - h, -3, 3),
-    },
-    {
-      label: 'Both sides: largest difference from 2x',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 0 },
-      measure: ({ h }) => largestOf((x) => slopeOf(f, x, h) - 2 * x, -3, 3),
-    },
+  checks: ({ at }) => [
+    at(0, 'One point ahead: largest difference from 2x + h', { exact: 0, absolute: 1e-9 }, ({ h }) =>
+      largestOf((x) => forward(x, h) - 2 * x - h, -3, 3),
+    ),
+    at(0, 'Both sides: largest difference from 2x', { exact: 0, absolute: 1e-9 }, ({ h }) =>
+      largestOf((x) => slopeOf(f, x, h) - 2 * x, -3, 3),
+    ),
   ],
   tryThis: [
     'Halve the distance: the blue error is halved, and the green one was 0 before.',

@@ -47,28 +47,20 @@ export default defineExample({
       { at: walker, text: () => `  ${distanceBetween(a, walker()).toFixed(2)}` },
     ],
   }),
-  plots: [
-    {
-      title: 'Distance from the first point',
-      y: { label: 'distance' },
-      series: [{ label: 'distance', value: ({ a, walker }) => distanceBetween(a, walker()) }],
-    },
+  plots: (plot) => [
+    plot('Distance from the first point', 'distance', {
+      label: 'distance',
+      value: ({ a, walker }) => distanceBetween(a, walker()),
+    }),
   ],
-  checks: [
-    {
-      label: 'Distance of (1, 2) and (4, 6)',
-      exact: 5,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ a, b }) => distanceBetween(a, b),
-    },
-    {
-      label: 'Distance that the walker has gone after 4 s',
-      exact: ({ ax, ay, bx, by }) => Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay)),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 4 },
-      measure: ({ a, walker }) => distanceBetween(a, walker()),
-    },
+  checks: ({ at }) => [
+    at(0, 'Distance of (1, 2) and (4, 6)', { exact: 5, absolute: 0 }, ({ a, b }) => distanceBetween(a, b)),
+    at(
+      4,
+      'Distance that the walker has gone after 4 s',
+      { exact: ({ ax, ay, bx, by }) => Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay)), absolute: 1e-9 },
+      ({ a, walker }) => distanceBetween(a, walker()),
+    ),
   ],
   tryThis: [
     'Choose the preset: 6 across and 2.5 up make 6.5, which is the triangle 5, 12, 13 at half its size.',

@@ -61,28 +61,16 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Area under the bell curve, √π',
-      exact: Math.sqrt(Math.PI),
-      tolerance: { absolute: 1e-3 },
-      at: { time: 0 },
-      measure: () => areaOf(bell, -3, 3, 100),
-    },
-    {
-      label: 'Where exp(−x) has fallen to a half, ln 2',
-      exact: log(2),
-      tolerance: { absolute: 1e-10 },
-      at: { time: 0 },
-      measure: () => rootOf((x) => decay(x) - 0.5, 0, 6),
-    },
-    {
-      label: 'Largest difference of ln(exp(x)) and x',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => Math.max(...graphOf((x) => Math.abs(log(exp(x)) - x), -3, 3).map(({ y }) => y)),
-    },
+  checks: ({ at }) => [
+    at(0, 'Area under the bell curve, √π', { exact: Math.sqrt(Math.PI), absolute: 1e-3 }, () =>
+      areaOf(bell, -3, 3, 100),
+    ),
+    at(0, 'Where exp(−x) has fallen to a half, ln 2', { exact: log(2), absolute: 1e-10 }, () =>
+      rootOf((x) => decay(x) - 0.5, 0, 6),
+    ),
+    at(0, 'Largest difference of ln(exp(x)) and x', { exact: 0, absolute: 1e-12 }, () =>
+      Math.max(...graphOf((x) => Math.abs(log(exp(x)) - x), -3, 3).map(({ y }) => y)),
+    ),
   ],
   tryThis: [
     'Choose the decay: after 0.69 half is left, after 1.39 a quarter, after 2.08 an eighth.',

@@ -56,31 +56,26 @@ export default defineExample({
       ],
     },
   ],
-  checks: [
-    {
-      label: 'The point (2, 4) on paper of 450 px, from the left edge at 50',
-      unit: 'px',
-      exact: 387.5,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: () => 50 + (450 * placeInGraph(2, 4).x) / placeInGraph(4, 20).x,
-    },
-    {
-      label: 'The same on paper of 350 px, from the axis at 380 upwards',
-      unit: 'px',
-      exact: 310,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: () => 380 - (350 * placeInGraph(2, 4).y) / placeInGraph(4, 20).y,
-    },
-    {
-      label: 'Largest error of the lines, (Δx)²/4',
-      exact: ({ points }) => 16 / ((points - 1) * (points - 1)),
-      tolerance: { relative: 1e-9 },
-      at: { time: 0 },
-      // Half-way between two dots, among other places.
-      measure: ({ points }) => largestOf((x) => polygonAt(x, points) - square(x), -4, 4, 2 * (points - 1)),
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'The point (2, 4) on paper of 450 px, from the left edge at 50',
+      { exact: 387.5, unit: 'px', absolute: 0 },
+      () => 50 + (450 * placeInGraph(2, 4).x) / placeInGraph(4, 20).x,
+    ),
+    at(
+      0,
+      'The same on paper of 350 px, from the axis at 380 upwards',
+      { exact: 310, unit: 'px', absolute: 0 },
+      () => 380 - (350 * placeInGraph(2, 4).y) / placeInGraph(4, 20).y,
+    ),
+    // Half-way between two dots, among other places.
+    at(
+      0,
+      'Largest error of the lines, (Δx)²/4',
+      { exact: ({ points }) => 16 / ((points - 1) * (points - 1)), relative: 1e-9 },
+      ({ points }) => largestOf((x) => polygonAt(x, points) - square(x), -4, 4, 2 * (points - 1)),
+    ),
   ],
   tryThis: [
     'Take 17 dots instead of 9: the lines are four times as close to the curve.',

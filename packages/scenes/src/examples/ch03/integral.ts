@@ -66,36 +66,22 @@ export default defineExample({
       ],
     },
   ],
-  checks: [
-    {
-      label: 'Error of the columns at the end, −h/2 (f(3) − f(−3))',
-      exact: ({ columns }) => -36 / columns,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 6 },
-      measure: ({ sumTo }) => sumTo(3) - 9,
-    },
-    {
-      label: 'The same with a thousand columns',
-      exact: -0.036,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 0 },
-      measure: () => leftSumOf(f, -3, 3, 1000),
-    },
-    {
-      // 0.018 are missing at the start, where x² is 9.018, and 0.036 are lost by the left sides.
-      label: 'Columns from −3.003 to 2.997, begun with 9: where x² is 8.982',
-      exact: 8.928,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 0 },
-      measure: () => 9 + leftSumOf(f, -3.003, 2.997, 1000),
-    },
-    {
-      label: 'With slanting tops instead of level ones',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 0 },
-      measure: () => areaOf(f, -3, 3, 1000),
-    },
+  checks: ({ at }) => [
+    at(
+      6,
+      'Error of the columns at the end, −h/2 (f(3) − f(−3))',
+      { exact: ({ columns }) => -36 / columns, absolute: 1e-9 },
+      ({ sumTo }) => sumTo(3) - 9,
+    ),
+    at(0, 'The same with a thousand columns', { exact: -0.036, absolute: 1e-9 }, () => leftSumOf(f, -3, 3, 1000)),
+    // 0.018 are missing at the start, where x² is 9.018, and 0.036 are lost by the left sides.
+    at(
+      0,
+      'Columns from −3.003 to 2.997, begun with 9: where x² is 8.982',
+      { exact: 8.928, absolute: 1e-9 },
+      () => 9 + leftSumOf(f, -3.003, 2.997, 1000),
+    ),
+    at(0, 'With slanting tops instead of level ones', { exact: 0, absolute: 1e-9 }, () => areaOf(f, -3, 3, 1000)),
   ],
   tryThis: [
     'Double the number of columns: the green line is half as far from the grey one.',

@@ -49,41 +49,22 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Angle that is found',
-      y: { label: 'angle, °' },
-      series: [
-        { label: 'atan', value: ({ byQuotient }) => byQuotient() },
-        { label: 'atan2', value: ({ byBoth }) => byBoth() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Angle that is found',
+      'angle, °',
+      { label: 'atan', value: ({ byQuotient }) => byQuotient() },
+      { label: 'atan2', value: ({ byBoth }) => byBoth() },
+    ),
   ],
-  checks: [
-    {
-      label: 'The angle whose tangent is 1',
-      unit: '°',
-      exact: 45,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => simple(1, 1),
-    },
-    {
-      label: 'Direction of the point (−2, −2) by atan2',
-      unit: '°',
-      exact: -135,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => degrees(atan2(-2, -2)),
-    },
-    {
-      label: 'Direction of the point (−2, −2) by the quotient, 180° off',
-      unit: '°',
-      exact: 45,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => simple(-2, -2),
-    },
+  checks: ({ at }) => [
+    at(0, 'The angle whose tangent is 1', { exact: 45, unit: '°', absolute: 1e-12 }, () => simple(1, 1)),
+    at(0, 'Direction of the point (−2, −2) by atan2', { exact: -135, unit: '°', absolute: 1e-12 }, () =>
+      degrees(atan2(-2, -2)),
+    ),
+    at(0, 'Direction of the point (−2, −2) by the quotient, 180° off', { exact: 45, unit: '°', absolute: 1e-12 }, () =>
+      simple(-2, -2),
+    ),
   ],
   tryThis: [
     'Watch the moment in which the dot crosses the upright line: the red arrow jumps to the other side.',

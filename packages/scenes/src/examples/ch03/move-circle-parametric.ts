@@ -40,38 +40,23 @@ export default defineExample({
       { at, color: COLORS.blue, radius: 8 },
     ],
   }),
-  plots: [
-    {
-      title: 'The two shadows',
-      y: { label: 'x and y' },
-      series: [
-        { label: 'x', value: ({ at }) => at().x },
-        { label: 'y', value: ({ at }) => at().y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'The two shadows',
+      'x and y',
+      { label: 'x', value: ({ at }) => at().x },
+      { label: 'y', value: ({ at }) => at().y },
+    ),
   ],
-  checks: [
-    {
-      label: 'Longest step of the dot in a tick',
-      exact: 0.01,
-      tolerance: { relative: 1e-5 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ stepLength }) => stepLength(),
-    },
-    {
-      label: 'Shortest step',
-      exact: 0.01,
-      tolerance: { relative: 1e-5 },
-      at: { until: 10, take: 'smallest' },
-      measure: ({ stepLength }) => stepLength(),
-    },
-    {
-      label: 'Largest distance from the middle',
-      exact: ({ width, height }) => Math.max(width, height),
-      tolerance: { absolute: 1e-5 },
-      at: { until: 16, take: 'largest' },
-      measure: ({ at }) => lengthOf(at()),
-    },
+  checks: ({ largest, smallest }) => [
+    largest(10, 'Longest step of the dot in a tick', { exact: 0.01, relative: 1e-5 }, ({ stepLength }) => stepLength()),
+    smallest(10, 'Shortest step', { exact: 0.01, relative: 1e-5 }, ({ stepLength }) => stepLength()),
+    largest(
+      16,
+      'Largest distance from the middle',
+      { exact: ({ width, height }) => Math.max(width, height), absolute: 1e-5 },
+      ({ at }) => lengthOf(at()),
+    ),
     {
       label: 'Time of a turn, 2π over the angle per second',
       unit: 's',

@@ -35,38 +35,29 @@ export default defineExample({
     lines: [{ from: { x: 0, y: 0 }, to: at, color: COLORS.grey, width: 1 }],
     dots: [{ at, color: COLORS.blue, radius: 8 }],
   }),
-  plots: [
-    {
-      title: 'Speed along the circle',
-      y: { label: 'speed, 1/s' },
-      series: [{ label: 'speed', value: ({ speed }) => Math.min(1, speed()) }],
-    },
+  plots: (plot) => [
+    plot('Speed along the circle', 'speed, 1/s', { label: 'speed', value: ({ speed }) => Math.min(1, speed()) }),
   ],
-  checks: [
-    {
-      label: 'Largest x² + y² of the dot',
-      exact: ({ radius }) => radius * radius,
-      tolerance: { absolute: 1e-12 },
-      at: { until: 2 / SPEED, take: 'largest' },
-      measure: ({ at }) => at().x * at().x + at().y * at().y,
-    },
-    {
-      label: 'Speed at the bottom, x = 0',
-      unit: '1/s',
-      exact: ({ radius }) => radius * SPEED,
-      tolerance: { relative: 1e-5 },
-      at: { time: 1 / SPEED },
-      measure: ({ speed }) => speed(),
-    },
-    {
-      // The last tick is centred a thousandth before 0.6, where the speed is 0.2 % smaller.
-      label: 'Speed at x = 0.6, larger by 1/√(1 − 0.36) = 1.25',
-      unit: '1/s',
-      exact: ({ radius }) => 1.25 * radius * SPEED,
-      tolerance: { relative: 2e-3 },
-      at: { time: 1.6 / SPEED },
-      measure: ({ speed }) => speed(),
-    },
+  checks: ({ at, largest }) => [
+    largest(
+      2 / SPEED,
+      'Largest x² + y² of the dot',
+      { exact: ({ radius }) => radius * radius, absolute: 1e-12 },
+      ({ at }) => at().x * at().x + at().y * at().y,
+    ),
+    at(
+      1 / SPEED,
+      'Speed at the bottom, x = 0',
+      { exact: ({ radius }) => radius * SPEED, unit: '1/s', relative: 1e-5 },
+      ({ speed }) => speed(),
+    ),
+    // The last tick is centred a thousandth before 0.6, where the speed is 0.2 % smaller.
+    at(
+      1.6 / SPEED,
+      'Speed at x = 0.6, larger by 1/√(1 − 0.36) = 1.25',
+      { exact: ({ radius }) => 1.25 * radius * SPEED, unit: '1/s', relative: 2e-3 },
+      ({ speed }) => speed(),
+    ),
   ],
   tryThis: [
     'Watch the dot at both ends: it falls like a stone, although x grows as slowly as everywhere.',

@@ -43,35 +43,15 @@ export default defineExample({
     lines: [{ from: () => ({ x: at().x, y: 0 }), to: at, color: COLORS.grey, width: 1 }],
     dots: [{ at, color: COLORS.blue, radius: 8 }],
   }),
-  plots: [
-    {
-      title: 'Height of the dot',
-      y: { label: 'y' },
-      series: [{ label: 'y', value: ({ at }) => at().y }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Height of the dot as it passes x = 0',
-      exact: -31.5,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 / SPEED },
-      measure: ({ at }) => at().y,
-    },
-    {
-      label: 'Largest value at the six zeros',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: () => Math.max(...ROOTS.map((x) => Math.abs(hilly(x)))),
-    },
-    {
-      label: 'Largest value beyond ±9',
-      exact: 0,
-      tolerance: { absolute: 0.01 },
-      at: { time: 0 },
-      measure: () => Math.max(largestOf(hilly, -10, -9), largestOf(hilly, 9, 10)),
-    },
+  plots: (plot) => [plot('Height of the dot', 'y', { label: 'y', value: ({ at }) => at().y })],
+  checks: ({ at }) => [
+    at(10 / SPEED, 'Height of the dot as it passes x = 0', { exact: -31.5, absolute: 1e-9 }, ({ at }) => at().y),
+    at(0, 'Largest value at the six zeros', { exact: 0, absolute: 0 }, () =>
+      Math.max(...ROOTS.map((x) => Math.abs(hilly(x)))),
+    ),
+    at(0, 'Largest value beyond ±9', { exact: 0, absolute: 0.01 }, () =>
+      Math.max(largestOf(hilly, -10, -9), largestOf(hilly, 9, 10)),
+    ),
   ],
   tryThis: [
     'Watch the speed of the dot: it moves to the right evenly, and yet races where the curve is steep.',

@@ -69,21 +69,19 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Mean of the sawtooth over five periods, half the period',
-      exact: 1,
-      tolerance: { relative: 0.01 },
-      at: { time: 0 },
-      measure: () => areaOf(sawtooth(2), 0, 10, 1000) / 10,
-    },
-    {
-      label: 'Mean of the square wave, its share of time on',
-      exact: 0.5,
-      tolerance: { relative: 0.01 },
-      at: { time: 0 },
-      measure: () => areaOf(squareWave(0.5), 0, 10, 1000) / 10,
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'Mean of the sawtooth over five periods, half the period',
+      { exact: 1, relative: 0.01 },
+      () => areaOf(sawtooth(2), 0, 10, 1000) / 10,
+    ),
+    at(
+      0,
+      'Mean of the square wave, its share of time on',
+      { exact: 0.5, relative: 0.01 },
+      () => areaOf(squareWave(0.5), 0, 10, 1000) / 10,
+    ),
   ],
   tryThis: [
     'Make the period of the sawtooth 1: both waves now begin anew at the same places.',

@@ -41,35 +41,15 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Left zero of x² − 2x − 3',
-      exact: -1,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 0 },
-      measure: () => rootOf(quadratic, -3, 0),
-    },
-    {
-      label: 'Right zero',
-      exact: 3,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 0 },
-      measure: () => rootOf(quadratic, 0, 5),
-    },
-    {
-      label: 'Place of the lowest point, where the slope is 0',
-      exact: 1,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 0 },
-      measure: () => rootOf((x) => slopeOf(quadratic, x), -3, 5),
-    },
-    {
-      label: 'Value at the lowest point',
-      exact: -4,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 0 },
-      measure: () => quadratic(rootOf((x) => slopeOf(quadratic, x), -3, 5)),
-    },
+  checks: ({ at }) => [
+    at(0, 'Left zero of x² − 2x − 3', { exact: -1, absolute: 1e-10 }, () => rootOf(quadratic, -3, 0)),
+    at(0, 'Right zero', { exact: 3, absolute: 1e-10 }, () => rootOf(quadratic, 0, 5)),
+    at(0, 'Place of the lowest point, where the slope is 0', { exact: 1, absolute: 1e-10 }, () =>
+      rootOf((x) => slopeOf(quadratic, x), -3, 5),
+    ),
+    at(0, 'Value at the lowest point', { exact: -4, absolute: 1e-10 }, () =>
+      quadratic(rootOf((x) => slopeOf(quadratic, x), -3, 5)),
+    ),
   ],
   tryThis: [
     'Count the places where the tangent is level: one with x², two with x³, four with x⁵.',

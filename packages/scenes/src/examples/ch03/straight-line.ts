@@ -47,21 +47,11 @@ export default defineExample({
       series: [{ label: 'y', value: ({ x, f }) => f(x()) }],
     },
   ],
-  checks: [
-    {
-      label: 'Slope, from two neighbouring points',
-      exact: ({ slope }) => slope,
-      tolerance: { absolute: 1e-12 },
-      at: { until: 6, take: 'largest' },
-      measure: ({ x, f }) => slopeOf(f, x(), 0.5),
-    },
-    {
-      label: 'Where it crosses the y axis',
-      exact: ({ intercept }) => intercept,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ f }) => f(0),
-    },
+  checks: ({ at, largest }) => [
+    largest(6, 'Slope, from two neighbouring points', { exact: ({ slope }) => slope, absolute: 1e-12 }, ({ x, f }) =>
+      slopeOf(f, x(), 0.5),
+    ),
+    at(0, 'Where it crosses the y axis', { exact: ({ intercept }) => intercept, absolute: 1e-12 }, ({ f }) => f(0)),
   ],
   tryThis: [
     'Change c: the whole line moves up or down, and stays as steep as it was.',

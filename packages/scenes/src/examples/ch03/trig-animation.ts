@@ -55,28 +55,17 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Sum at 90°',
-      exact: 0.834921,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 0 },
-      measure: () => squareWave(90, 5),
-    },
-    {
-      label: 'Half of the Gibbs peak of many sines, Si(π)/2',
-      exact: 0.925969,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 0 },
-      measure: () => squareWave(180 / 4000, 2000),
-    },
-    {
-      label: 'Limit at 90° of many sines, π/4: the mean of the sums of 1000 and 1001',
-      exact: 0.785398,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 0 },
-      measure: () => (squareWave(90, 1000) + squareWave(90, 1001)) / 2,
-    },
+  checks: ({ at }) => [
+    at(0, 'Sum at 90°', { exact: 0.834921, absolute: 1e-6 }, () => squareWave(90, 5)),
+    at(0, 'Half of the Gibbs peak of many sines, Si(π)/2', { exact: 0.925969, absolute: 1e-6 }, () =>
+      squareWave(180 / 4000, 2000),
+    ),
+    at(
+      0,
+      'Limit at 90° of many sines, π/4: the mean of the sums of 1000 and 1001',
+      { exact: 0.785398, absolute: 1e-6 },
+      () => (squareWave(90, 1000) + squareWave(90, 1001)) / 2,
+    ),
   ],
   tryThis: [
     'Add sines one by one: the edges become steeper and the ripples narrower, but the first ripple keeps its height.',

@@ -55,35 +55,15 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Largest difference of cos (x − 90°) and sin x',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => largestOf((x) => shifted(x) - sine(x), -720, 720),
-    },
-    {
-      label: 'Largest difference of sin (x + 360°) and sin x',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => largestOf((x) => sine(x + 360) - sine(x), -720, 360),
-    },
-    {
-      label: 'Sine of 30°',
-      exact: 0.5,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => sine(30),
-    },
-    {
-      label: 'Tangent of 45°',
-      exact: 1,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => tangent(45),
-    },
+  checks: ({ at }) => [
+    at(0, 'Largest difference of cos (x − 90°) and sin x', { exact: 0, absolute: 1e-12 }, () =>
+      largestOf((x) => shifted(x) - sine(x), -720, 720),
+    ),
+    at(0, 'Largest difference of sin (x + 360°) and sin x', { exact: 0, absolute: 1e-12 }, () =>
+      largestOf((x) => sine(x + 360) - sine(x), -720, 360),
+    ),
+    at(0, 'Sine of 30°', { exact: 0.5, absolute: 1e-12 }, () => sine(30)),
+    at(0, 'Tangent of 45°', { exact: 1, absolute: 1e-12 }, () => tangent(45)),
   ],
   tryThis: [
     'Choose cos (x − 90°), and then sin x: you will not see any difference.',

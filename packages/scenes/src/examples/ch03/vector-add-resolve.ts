@@ -44,46 +44,31 @@ export default defineExample({
       labels: [{ at: { x: -5.8, y: 4.8 }, text: () => `length of a + b: ${lengthOf(total()).toFixed(2)}` }],
     };
   },
-  plots: [
-    {
-      title: 'Length of a + b, √(a² + b² + 2 a b cos α)',
-      y: { label: 'length' },
-      series: [
-        {
-          label: 'length',
-          value: ({ total }) => lengthOf(total()),
-          exact: (t, { a, b, angle, rate }) =>
-            Math.sqrt(a * a + b * b + 2 * a * b * cos(((angle + rate * t) * Math.PI) / 180)),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Length of a + b, √(a² + b² + 2 a b cos α)', 'length', {
+      label: 'length',
+      value: ({ total }) => lengthOf(total()),
+      exact: (t, { a, b, angle, rate }) =>
+        Math.sqrt(a * a + b * b + 2 * a * b * cos(((angle + rate * t) * Math.PI) / 180)),
+    }),
   ],
-  checks: [
-    {
-      label: 'Length of 3 and 4 at a right angle',
-      exact: 5,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ total }) => lengthOf(total()),
-    },
-    {
-      label: 'Direction of their sum',
-      unit: '°',
-      exact: 53.13,
-      tolerance: { absolute: 5e-4 },
-      at: { time: 0 },
-      measure: ({ total }) => (atan2(total().y, total().x) * 180) / Math.PI,
-    },
-    {
-      label: 'Resolved into length and angle and put together again: largest change',
-      exact: 0,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 0 },
-      measure: () => {
+  checks: ({ at }) => [
+    at(0, 'Length of 3 and 4 at a right angle', { exact: 5, absolute: 1e-12 }, ({ total }) => lengthOf(total())),
+    at(
+      0,
+      'Direction of their sum',
+      { exact: 53.13, unit: '°', absolute: 5e-4 },
+      ({ total }) => (atan2(total().y, total().x) * 180) / Math.PI,
+    ),
+    at(
+      0,
+      'Resolved into length and angle and put together again: largest change',
+      { exact: 0, absolute: 1e-15 },
+      () => {
         const again = polar(lengthOf({ x: 0.6, y: 0.8 }), atan2(0.8, 0.6));
         return Math.max(Math.abs(again.x - 0.6), Math.abs(again.y - 0.8));
       },
-    },
+    ),
   ],
   tryThis: [
     'Stop the turning and set the angle to 180°: now the arrows pull against each other, and 1 is left.',

@@ -47,49 +47,35 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Lengths',
-      y: { label: 'length' },
-      series: [
-        { label: 'of the sum', value: ({ first, second }) => lengthOf(add(first(), second())) },
-        { label: 'of the difference', value: ({ first, second }) => lengthOf(subtract(first(), second())) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Lengths',
+      'length',
+      { label: 'of the sum', value: ({ first, second }) => lengthOf(add(first(), second())) },
+      { label: 'of the difference', value: ({ first, second }) => lengthOf(subtract(first(), second())) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest |(a + b) − b − a|: subtraction undoes addition',
-      exact: 0,
-      tolerance: { absolute: 1e-15 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ first, second }) => lengthOf(subtract(subtract(add(first(), second()), second()), first())),
-    },
-    {
-      label: 'Largest length of a/|a|',
-      exact: 1,
-      tolerance: { absolute: 5e-16 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ first }) => lengthOf(unit(first())),
-    },
-    {
-      label: 'Largest a·b − b·a',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ first, second }) => Math.abs(dot(first(), second()) - dot(second(), first())),
-    },
-    {
-      label: 'Largest deviation from |a + b|² + |a − b|² = 2 |a|² + 2 |b|²',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ first, second }) => {
+  checks: ({ largest }) => [
+    largest(
+      12,
+      'Largest |(a + b) − b − a|: subtraction undoes addition',
+      { exact: 0, absolute: 1e-15 },
+      ({ first, second }) => lengthOf(subtract(subtract(add(first(), second()), second()), first())),
+    ),
+    largest(12, 'Largest length of a/|a|', { exact: 1, absolute: 5e-16 }, ({ first }) => lengthOf(unit(first()))),
+    largest(12, 'Largest a·b − b·a', { exact: 0, absolute: 0 }, ({ first, second }) =>
+      Math.abs(dot(first(), second()) - dot(second(), first())),
+    ),
+    largest(
+      12,
+      'Largest deviation from |a + b|² + |a − b|² = 2 |a|² + 2 |b|²',
+      { exact: 0, absolute: 1e-14 },
+      ({ first, second }) => {
         const [a, b] = [first(), second()];
         const square = (v: Point) => dot(v, v);
         return Math.abs(square(add(a, b)) + square(subtract(a, b)) - 2 * square(a) - 2 * square(b));
       },
-    },
+    ),
   ],
   tryThis: [
     'Give both the same length: when they point in opposite directions, the sum vanishes and the difference is longest.',

@@ -55,53 +55,29 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Both products',
-      y: { label: 'product' },
-      series: [
-        { label: 'dot', value: ({ first, second }) => dot(first, second()) },
-        { label: 'cross', value: ({ first, second }) => cross(first, second()) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Both products',
+      'product',
+      { label: 'dot', value: ({ first, second }) => dot(first, second()) },
+      { label: 'cross', value: ({ first, second }) => cross(first, second()) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Dot product of (1, 1) and (1, 0)',
-      exact: 1,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ first, second }) => dot(first, second()),
-    },
-    {
-      label: 'Their cross product: the second lies to the right',
-      exact: -1,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ first, second }) => cross(first, second()),
-    },
-    {
-      label: 'Length of (1, 1)',
-      exact: Math.sqrt(2),
-      tolerance: { absolute: 5e-7 },
-      at: { time: 0 },
-      measure: ({ first }) => lengthOf(first),
-    },
-    {
-      label: 'Its dot product with itself, the square of the length',
-      exact: 2,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ first }) => dot(first, first),
-    },
-    {
-      label: 'Angle between them',
-      unit: '°',
-      exact: 45,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ first, second }) => (-atan2(cross(first, second()), dot(first, second())) * 180) / Math.PI,
-    },
+  checks: ({ at }) => [
+    at(0, 'Dot product of (1, 1) and (1, 0)', { exact: 1, absolute: 0 }, ({ first, second }) => dot(first, second())),
+    at(0, 'Their cross product: the second lies to the right', { exact: -1, absolute: 0 }, ({ first, second }) =>
+      cross(first, second()),
+    ),
+    at(0, 'Length of (1, 1)', { exact: Math.sqrt(2), absolute: 5e-7 }, ({ first }) => lengthOf(first)),
+    at(0, 'Its dot product with itself, the square of the length', { exact: 2, absolute: 0 }, ({ first }) =>
+      dot(first, first),
+    ),
+    at(
+      0,
+      'Angle between them',
+      { exact: 45, unit: '°', absolute: 1e-12 },
+      ({ first, second }) => (-atan2(cross(first, second()), dot(first, second())) * 180) / Math.PI,
+    ),
   ],
   tryThis: [
     'Wait until the dot product is 0: the arrows are at a right angle, and the cross product is largest or smallest.',

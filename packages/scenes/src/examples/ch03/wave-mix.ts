@@ -48,22 +48,12 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      // sin a + sin b = 2 sin((a + b)/2) cos((a − b)/2).
-      label: 'Largest difference of the beats and 2 sin 1.25x cos 0.25x',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => largestOf((x) => beats(x) - 2 * sine(1.25 * x) * sine(0.25 * x + 90), 0, 1440),
-    },
-    {
-      label: 'The wave that dies away at 450°, exp(−0.9)',
-      exact: 0.4065697,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 0 },
-      measure: () => damped(450),
-    },
+  checks: ({ at }) => [
+    // sin a + sin b = 2 sin((a + b)/2) cos((a − b)/2).
+    at(0, 'Largest difference of the beats and 2 sin 1.25x cos 0.25x', { exact: 0, absolute: 1e-12 }, () =>
+      largestOf((x) => beats(x) - 2 * sine(1.25 * x) * sine(0.25 * x + 90), 0, 1440),
+    ),
+    at(0, 'The wave that dies away at 450°, exp(−0.9)', { exact: 0.4065697, absolute: 1e-6 }, () => damped(450)),
   ],
   tryThis: [
     'Look for the places where the beats are silent: at 360° and again 720° later.',

@@ -28,31 +28,18 @@ export default defineExample({
     view: { minX: 0, maxX: 700, minY: 40, maxY: 540 },
     trails: [{ body: ball }, { body: particle }],
   }),
-  plots: [
-    {
-      title: 'Distance of the two',
-      y: { label: 'px' },
-      series: [{ label: 'distance', value: ({ gap }) => gap(), exact: () => 200 }],
-    },
+  plots: (plot) => [
+    plot('Distance of the two', 'px', { label: 'distance', value: ({ gap }) => gap(), exact: () => 200 }),
   ],
-  checks: [
-    {
-      label: 'How much farther the ball got than the particle in 3 s, x',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 3 },
-      measure: ({ world, ball, particle }) => positionOf(world, ball).x - positionOf(world, particle).x,
-    },
-    {
-      label: 'Their distance after 3 s',
-      unit: 'px',
-      exact: 200,
-      // Sums of 180 steps at different heights are rounded differently.
-      tolerance: { absolute: 1e-10 },
-      at: { time: 3 },
-      measure: ({ gap }) => gap(),
-    },
+  checks: ({ at }) => [
+    at(
+      3,
+      'How much farther the ball got than the particle in 3 s, x',
+      { exact: 0, unit: 'px', absolute: 0 },
+      ({ world, ball, particle }) => positionOf(world, ball).x - positionOf(world, particle).x,
+    ),
+    // Sums of 180 steps at different heights are rounded differently.
+    at(3, 'Their distance after 3 s', { exact: 200, unit: 'px', absolute: 1e-10 }, ({ gap }) => gap()),
   ],
   tryThis: ['Make the ball as large as you like: without air and walls its size is for the eye only.'],
 });

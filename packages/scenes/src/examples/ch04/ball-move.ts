@@ -40,33 +40,27 @@ export default defineExample({
       color: COLORS.grey,
     })),
   }),
-  plots: [
-    {
-      title: 'Way in both directions',
-      y: { label: 'way, px' },
-      series: [
-        { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x - START.x, exact: (t, { vx }) => vx * t },
-        { label: 'y', value: ({ world, ball }) => positionOf(world, ball).y - START.y, exact: (t, { vy }) => vy * t },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Way in both directions',
+      'way, px',
+      { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x - START.x, exact: (t, { vx }) => vx * t },
+      { label: 'y', value: ({ world, ball }) => positionOf(world, ball).y - START.y, exact: (t, { vy }) => vy * t },
+    ),
   ],
-  checks: [
-    {
-      label: 'x after 5 s',
-      unit: 'px',
-      exact: ({ vx }) => START.x + 5 * vx,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 5 },
-      measure: ({ world, ball }) => positionOf(world, ball).x,
-    },
-    {
-      label: 'y after 5 s',
-      unit: 'px',
-      exact: ({ vy }) => START.y + 5 * vy,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 5 },
-      measure: ({ world, ball }) => positionOf(world, ball).y,
-    },
+  checks: ({ at }) => [
+    at(
+      5,
+      'x after 5 s',
+      { exact: ({ vx }) => START.x + 5 * vx, unit: 'px', absolute: 1e-9 },
+      ({ world, ball }) => positionOf(world, ball).x,
+    ),
+    at(
+      5,
+      'y after 5 s',
+      { exact: ({ vy }) => START.y + 5 * vy, unit: 'px', absolute: 1e-9 },
+      ({ world, ball }) => positionOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'Give it the velocity 60 and 40: the direction is the same, and it gets twice as far.',

@@ -43,39 +43,27 @@ export default defineExample({
     trails: [{ body: ball, length: 400 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 2 }],
   }),
-  plots: [
-    {
-      title: 'Place of the red ball',
-      y: { label: 'x, px' },
-      series: [
-        { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x, exact: (t, { speed }) => 150 + speed * t },
-      ],
-    },
+  plots: (plot) => [
+    plot('Place of the red ball', 'x, px', {
+      label: 'x',
+      value: ({ world, ball }) => positionOf(world, ball).x,
+      exact: (t, { speed }) => 150 + speed * t,
+    }),
   ],
-  checks: [
-    {
-      label: 'Balls that are drawn',
-      exact: ({ balls }) => balls + 1,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ world }) => bodies(world).count,
-    },
-    {
-      label: 'Place of the red ball after one step, x + v dt',
-      unit: 'px',
-      exact: ({ speed }) => 150 + speed * DT,
-      tolerance: { absolute: 1e-12 },
-      at: { time: DT },
-      measure: ({ world, ball }) => positionOf(world, ball).x,
-    },
-    {
-      label: 'Largest change of a distance from the red ball in 10 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ largestChange }) => largestChange(),
-    },
+  checks: ({ at }) => [
+    at(0, 'Balls that are drawn', { exact: ({ balls }) => balls + 1, absolute: 0 }, ({ world }) => bodies(world).count),
+    at(
+      DT,
+      'Place of the red ball after one step, x + v dt',
+      { exact: ({ speed }) => 150 + speed * DT, unit: 'px', absolute: 1e-12 },
+      ({ world, ball }) => positionOf(world, ball).x,
+    ),
+    at(
+      10,
+      'Largest change of a distance from the red ball in 10 s',
+      { exact: 0, unit: 'px', absolute: 1e-9 },
+      ({ largestChange }) => largestChange(),
+    ),
   ],
   tryThis: [
     'Start again with another seed: the blue balls have other sizes and places, but all fly side by side.',

@@ -59,34 +59,27 @@ export default defineExample({
       color: COLORS.grey,
     })),
   }),
-  plots: [
-    {
-      title: 'Distance from the middle',
-      y: { label: 'distance, px' },
-      series: [0, 1].map((i) => ({
+  plots: (plot) => [
+    plot(
+      'Distance from the middle',
+      'distance, px',
+      ...[0, 1].map((i) => ({
         label: `ball ${i + 1}`,
         value: ({ world, ids }: { world: Parameters<typeof positionOf>[0]; ids: readonly number[] }) =>
           distanceBetween(positionOf(world, ids[i]), CENTRE),
       })),
-    },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest difference of a distance and v t, after 10 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ largestError }) => largestError(),
-    },
-    {
-      label: 'Sum of all x, less 10 · 350 + t Σv, after 10 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-8 },
-      at: { time: 10 },
-      measure: ({ sumOfX }) => sumOfX(),
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Largest difference of a distance and v t, after 10 s',
+      { exact: 0, unit: 'px', absolute: 1e-9 },
+      ({ largestError }) => largestError(),
+    ),
+    at(10, 'Sum of all x, less 10 · 350 + t Σv, after 10 s', { exact: 0, unit: 'px', absolute: 1e-8 }, ({ sumOfX }) =>
+      sumOfX(),
+    ),
   ],
   tryThis: [
     'Press rewind: the balls fly back into the middle, all at the same moment.',

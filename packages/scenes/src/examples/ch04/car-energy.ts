@@ -80,41 +80,30 @@ export default defineExample({
     },
   },
   pointer: 'up',
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'engine on', value: ({ world, ball }) => speedOf(world, ball), exact: exactSpeed },
-        { label: 'coasting', value: ({ world, coasting }) => speedOf(world, coasting) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed',
+      'v, px/s',
+      { label: 'engine on', value: ({ world, ball }) => speedOf(world, ball), exact: exactSpeed },
+      { label: 'coasting', value: ({ world, coasting }) => speedOf(world, coasting) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Speed after 10 s with the engine on',
-      unit: 'px/s',
-      exact: (values) => exactSpeed(10, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => speedOf(world, ball),
-    },
-    {
-      label: 'Highest speed, √(P/c)',
-      unit: 'px/s',
-      exact: 22.361,
-      tolerance: { relative: 1e-3 },
-      at: { time: 60 },
-      measure: ({ world, ball }) => speedOf(world, ball),
-    },
-    {
-      label: 'Speed after 10 s of coasting, v₀ e^(−ct/m)',
-      unit: 'px/s',
-      exact: ({ speed, drag }) => speed * exp(-10 * drag),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, coasting }) => speedOf(world, coasting),
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Speed after 10 s with the engine on',
+      { exact: (values) => exactSpeed(10, values), unit: 'px/s', relative: 1e-3 },
+      ({ world, ball }) => speedOf(world, ball),
+    ),
+    at(60, 'Highest speed, √(P/c)', { exact: 22.361, unit: 'px/s', relative: 1e-3 }, ({ world, ball }) =>
+      speedOf(world, ball),
+    ),
+    at(
+      10,
+      'Speed after 10 s of coasting, v₀ e^(−ct/m)',
+      { exact: ({ speed, drag }) => speed * exp(-10 * drag), unit: 'px/s', relative: 1e-3 },
+      ({ world, coasting }) => speedOf(world, coasting),
+    ),
   ],
   tryThis: [
     'Give the engine four times the power: the car becomes only twice as fast, because drag eats c v² each second.',

@@ -43,34 +43,28 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Velocity',
-      y: { label: 'v, m/s' },
-      series: [
-        { label: 'to the right', value: ({ world, ball }) => velocityOf(world, ball).x },
-        { label: 'upwards', value: ({ world, ball }) => velocityOf(world, ball).y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Velocity',
+      'v, m/s',
+      { label: 'to the right', value: ({ world, ball }) => velocityOf(world, ball).x },
+      { label: 'upwards', value: ({ world, ball }) => velocityOf(world, ball).y },
+    ),
   ],
-  checks: [
-    {
-      // 480 steps of an acceleration below 1e-14.
-      label: 'Change of the velocity in 8 s, over the time',
-      unit: 'm/s²',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 8 },
-      measure: ({ world, ball }) => lengthOf({ x: velocityOf(world, ball).x - 0.5, y: velocityOf(world, ball).y }) / 8,
-    },
-    {
-      label: 'Resultant of the three forces',
-      unit: 'N',
-      exact: ({ third }) => Math.abs(third - 1),
-      tolerance: { absolute: 1e-14 },
-      at: { time: 0 },
-      measure: ({ resultant }) => lengthOf(resultant),
-    },
+  checks: ({ at }) => [
+    // 480 steps of an acceleration below 1e-14.
+    at(
+      8,
+      'Change of the velocity in 8 s, over the time',
+      { exact: 0, unit: 'm/s²', absolute: 1e-14 },
+      ({ world, ball }) => lengthOf({ x: velocityOf(world, ball).x - 0.5, y: velocityOf(world, ball).y }) / 8,
+    ),
+    at(
+      0,
+      'Resultant of the three forces',
+      { exact: ({ third }) => Math.abs(third - 1), unit: 'N', absolute: 1e-14 },
+      ({ resultant }) => lengthOf(resultant),
+    ),
   ],
   tryThis: [
     'Let the third pull harder: the triangle does not close any more, and the puck curves away.',

@@ -63,44 +63,36 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Velocity',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'stepped', value: ({ world, ball }) => velocityOf(world, ball).y, exact: exactSpeed }],
-    },
-    {
-      title: 'Velocity that is missing',
-      y: { label: 'vₜ − v, px/s' },
-      series: [{ label: 'missing', value: ({ world, ball, limit }) => limit - velocityOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Velocity', 'v, px/s', {
+      label: 'stepped',
+      value: ({ world, ball }) => velocityOf(world, ball).y,
+      exact: exactSpeed,
+    }),
+    plot('Velocity that is missing', 'vₜ − v, px/s', {
+      label: 'missing',
+      value: ({ world, ball, limit }) => limit - velocityOf(world, ball).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Velocity after 5 s',
-      unit: 'px/s',
-      exact: (values) => exactSpeed(5, values),
-      tolerance: { relative: 1e-5 },
-      at: { time: 5 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-    },
-    {
-      label: 'Terminal velocity, m g/k',
-      unit: 'px/s',
-      exact: 20,
-      tolerance: { relative: 1e-5 },
-      at: { time: 30 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-    },
-    {
-      label: 'Velocity after 5 s by the simplest scheme',
-      unit: 'px/s',
-      exact: 18.3583,
-      tolerance: { absolute: 0.02 },
-      at: { time: 5 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-      integrator: positionFirstEuler,
-    },
+  checks: ({ at }) => [
+    at(
+      5,
+      'Velocity after 5 s',
+      { exact: (values) => exactSpeed(5, values), unit: 'px/s', relative: 1e-5 },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
+    at(
+      30,
+      'Terminal velocity, m g/k',
+      { exact: 20, unit: 'px/s', relative: 1e-5 },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
+    at(
+      5,
+      'Velocity after 5 s by the simplest scheme',
+      { exact: 18.3583, unit: 'px/s', absolute: 0.02, integrator: positionFirstEuler },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'Make the ball three times as heavy: it falls three times as fast in the end, and needs three times as long to get there.',

@@ -56,45 +56,33 @@ export default defineExample({
     ],
     labels: [{ at: { x: -18, y: -16 }, text: 'the dots are a second apart', color: COLORS.yellow }],
   }),
-  plots: [
-    {
-      title: 'Way',
-      y: { label: 's, m' },
-      series: [
-        {
-          label: 's',
-          value: ({ world, ball }) => positionOf(world, ball).x,
-          exact: (t, { velocity, acceleration }) => velocity * t + (acceleration / 2) * t * t,
-        },
-      ],
-    },
-    {
-      title: 'Velocity, and slope of the way',
-      y: { label: 'v, m/s' },
-      series: [
-        { label: 'v', value: ({ world, ball }) => velocityOf(world, ball).x },
-        { label: 'slope', value: ({ slope }) => slope() },
-      ],
-    },
+  plots: (plot) => [
+    plot('Way', 's, m', {
+      label: 's',
+      value: ({ world, ball }) => positionOf(world, ball).x,
+      exact: (t, { velocity, acceleration }) => velocity * t + (acceleration / 2) * t * t,
+    }),
+    plot(
+      'Velocity, and slope of the way',
+      'v, m/s',
+      { label: 'v', value: ({ world, ball }) => velocityOf(world, ball).x },
+      { label: 'slope', value: ({ slope }) => slope() },
+    ),
   ],
-  checks: [
-    {
-      // The slope over the last step is the velocity in its middle.
-      label: 'Slope of the way less velocity after 4 s, −a dt/2',
-      unit: 'm/s',
-      exact: ({ acceleration }) => (-acceleration * DT) / 2,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 4 },
-      measure: ({ world, ball, slope }) => slope() - velocityOf(world, ball).x,
-    },
-    {
-      label: 'Area under the velocity less way after 8 s',
-      unit: 'm',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 8 },
-      measure: ({ world, ball, log }) => log.area - positionOf(world, ball).x,
-    },
+  checks: ({ at }) => [
+    // The slope over the last step is the velocity in its middle.
+    at(
+      4,
+      'Slope of the way less velocity after 4 s, −a dt/2',
+      { exact: ({ acceleration }) => (-acceleration * DT) / 2, unit: 'm/s', absolute: 1e-9 },
+      ({ world, ball, slope }) => slope() - velocityOf(world, ball).x,
+    ),
+    at(
+      8,
+      'Area under the velocity less way after 8 s',
+      { exact: 0, unit: 'm', absolute: 1e-9 },
+      ({ world, ball, log }) => log.area - positionOf(world, ball).x,
+    ),
   ],
   tryThis: [
     'Choose the braking car: where the velocity goes through 0, the way has its highest point.',

@@ -32,49 +32,41 @@ export default defineExample({
       labels: [{ at: { x: 9, y: 1 }, text: () => `(${at().x.toFixed(2)}, ${at().y.toFixed(2)})` }],
     };
   },
-  plots: [
-    {
-      title: 'Place',
-      y: { label: 'm' },
-      series: [
-        {
-          label: 'x',
-          value: ({ world, particle }) => positionOf(world, particle).x,
-          exact: (t, { vx }) => START.x + vx * t,
-        },
-        {
-          label: 'y',
-          value: ({ world, particle }) => positionOf(world, particle).y,
-          exact: (t, { vy }) => START.y + vy * t,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Place',
+      'm',
+      {
+        label: 'x',
+        value: ({ world, particle }) => positionOf(world, particle).x,
+        exact: (t, { vx }) => START.x + vx * t,
+      },
+      {
+        label: 'y',
+        value: ({ world, particle }) => positionOf(world, particle).y,
+        exact: (t, { vy }) => START.y + vy * t,
+      },
+    ),
   ],
-  checks: [
-    {
-      label: 'x after one step, 2 + 2.5 · 0.1',
-      unit: 'm',
-      exact: 2.25,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 0.1 },
-      measure: ({ world, particle }) => positionOf(world, particle).x,
-    },
-    {
-      label: 'y after one step, 3 + 4.7 · 0.1',
-      unit: 'm',
-      exact: 3.47,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 0.1 },
-      measure: ({ world, particle }) => positionOf(world, particle).y,
-    },
-    {
-      label: 'Default charge',
-      unit: 'C',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: ({ world, particle }) => world.components.Charge.value[particle],
-    },
+  checks: ({ at }) => [
+    at(
+      0.1,
+      'x after one step, 2 + 2.5 · 0.1',
+      { exact: 2.25, unit: 'm', absolute: 1e-15 },
+      ({ world, particle }) => positionOf(world, particle).x,
+    ),
+    at(
+      0.1,
+      'y after one step, 3 + 4.7 · 0.1',
+      { exact: 3.47, unit: 'm', absolute: 1e-15 },
+      ({ world, particle }) => positionOf(world, particle).y,
+    ),
+    at(
+      0,
+      'Default charge',
+      { exact: 0, unit: 'C', absolute: 0 },
+      ({ world, particle }) => world.components.Charge.value[particle],
+    ),
   ],
   tryThis: ['Pause, and take single steps: where will the next one lead? Reckon it before you press.'],
 });

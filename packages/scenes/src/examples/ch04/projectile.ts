@@ -41,64 +41,46 @@ export default defineExample({
       arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
     };
   },
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => START.y - positionOf(world, ball).y,
-          exact: (t, { gravity, vy }) => vy * t - (gravity / 2) * t * t,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => START.y - positionOf(world, ball).y,
+      exact: (t, { gravity, vy }) => vy * t - (gravity / 2) * t * t,
+    }),
   ],
-  checks: [
-    {
-      label: 'Distance after 16 s',
-      unit: 'px',
-      exact: ({ vx }) => 16 * vx,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 16 },
-      measure: ({ world, ball }) => positionOf(world, ball).x - START.x,
-    },
-    {
-      label: 'Too high after 16 s, ½ g dt t',
-      unit: 'px',
-      exact: ({ gravity }) => (0.5 * gravity * 16) / 60,
-      tolerance: { absolute: 1e-4 },
-      at: { time: 16 },
-      measure: ({ world, ball, exact }) => exact(world.time).y - positionOf(world, ball).y,
-      integrator: positionFirstEuler,
-    },
-    {
-      label: 'Height of the apex',
-      unit: 'px',
-      exact: 320,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 8 },
-      measure: ({ world, ball }) => START.y - positionOf(world, ball).y,
-      integrator: velocityVerlet,
-    },
-    {
-      label: 'Height of the apex',
-      unit: 'px',
-      exact: 320,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 8 },
-      measure: ({ world, ball }) => START.y - positionOf(world, ball).y,
-      integrator: rungeKutta4,
-    },
-    ...[velocityVerlet, rungeKutta4].map((integrator) => ({
-      label: 'Back at the height of the start after 16 s: off by',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 16 },
-      measure: ({ world, ball }: BallRun) => positionOf(world, ball).y - START.y,
-      integrator,
-    })),
+  checks: ({ at }) => [
+    at(
+      16,
+      'Distance after 16 s',
+      { exact: ({ vx }) => 16 * vx, unit: 'px', absolute: 1e-9 },
+      ({ world, ball }) => positionOf(world, ball).x - START.x,
+    ),
+    at(
+      16,
+      'Too high after 16 s, ½ g dt t',
+      { exact: ({ gravity }) => (0.5 * gravity * 16) / 60, unit: 'px', absolute: 1e-4, integrator: positionFirstEuler },
+      ({ world, ball, exact }) => exact(world.time).y - positionOf(world, ball).y,
+    ),
+    at(
+      8,
+      'Height of the apex',
+      { exact: 320, unit: 'px', absolute: 1e-9, integrator: velocityVerlet },
+      ({ world, ball }) => START.y - positionOf(world, ball).y,
+    ),
+    at(
+      8,
+      'Height of the apex',
+      { exact: 320, unit: 'px', absolute: 1e-9, integrator: rungeKutta4 },
+      ({ world, ball }) => START.y - positionOf(world, ball).y,
+    ),
+    ...[velocityVerlet, rungeKutta4].map((integrator) =>
+      at(
+        16,
+        'Back at the height of the start after 16 s: off by',
+        { exact: 0, unit: 'px', absolute: 1e-9, integrator },
+        ({ world, ball }: BallRun) => positionOf(world, ball).y - START.y,
+      ),
+    ),
   ],
   tryThis: [
     'Change the integrator to velocity Verlet: ball and ring stay together.',

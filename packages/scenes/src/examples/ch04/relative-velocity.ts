@@ -47,33 +47,24 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Way across and along',
-      y: { label: 'way, m' },
-      series: [
-        { label: 'across', value: ({ world, ball }) => positionOf(world, ball).y, exact: (t, { boat }) => boat * t },
-        { label: 'along', value: ({ world, ball }) => positionOf(world, ball).x, exact: (t, { river }) => river * t },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Way across and along',
+      'way, m',
+      { label: 'across', value: ({ world, ball }) => positionOf(world, ball).y, exact: (t, { boat }) => boat * t },
+      { label: 'along', value: ({ world, ball }) => positionOf(world, ball).x, exact: (t, { river }) => river * t },
+    ),
   ],
-  checks: [
-    {
-      label: 'Speed seen from the bank',
-      unit: 'm/s',
-      exact: 5,
-      tolerance: { absolute: 0 },
-      at: { time: 4 },
-      measure: ({ world, ball }) => speedOf(world, ball),
-    },
-    {
-      label: 'Its direction from the bank',
-      unit: '°',
-      exact: 53.13,
-      tolerance: { absolute: 5e-3 },
-      at: { time: 4 },
-      measure: ({ world, ball }) => (atan2(velocityOf(world, ball).y, velocityOf(world, ball).x) * 180) / Math.PI,
-    },
+  checks: ({ at }) => [
+    at(4, 'Speed seen from the bank', { exact: 5, unit: 'm/s', absolute: 0 }, ({ world, ball }) =>
+      speedOf(world, ball),
+    ),
+    at(
+      4,
+      'Its direction from the bank',
+      { exact: 53.13, unit: '°', absolute: 5e-3 },
+      ({ world, ball }) => (atan2(velocityOf(world, ball).y, velocityOf(world, ball).x) * 180) / Math.PI,
+    ),
     {
       label: 'Time to the other bank, width over the speed of the boat',
       unit: 's',

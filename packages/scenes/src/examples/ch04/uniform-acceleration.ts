@@ -45,64 +45,41 @@ export default defineExample({
       scale: 0.3,
     })),
   }),
-  plots: [
-    {
-      title: 'Velocity',
-      y: { label: 'v, m/s' },
-      series: [
-        {
-          label: 'v',
-          value: ({ world, ball }) => velocityOf(world, ball).x,
-          exact: (t, { velocity, acceleration }) => velocity + acceleration * t,
-        },
-      ],
-    },
-    {
-      title: 'Way',
-      y: { label: 's, m' },
-      series: [
-        {
-          label: 's',
-          value: ({ world, ball }) => positionOf(world, ball).x,
-          exact: (t, { velocity, acceleration }) => velocity * t + (acceleration / 2) * t * t,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Velocity', 'v, m/s', {
+      label: 'v',
+      value: ({ world, ball }) => velocityOf(world, ball).x,
+      exact: (t, { velocity, acceleration }) => velocity + acceleration * t,
+    }),
+    plot('Way', 's, m', {
+      label: 's',
+      value: ({ world, ball }) => positionOf(world, ball).x,
+      exact: (t, { velocity, acceleration }) => velocity * t + (acceleration / 2) * t * t,
+    }),
   ],
-  checks: [
-    {
-      label: 'Velocity after 2 s, u + a t',
-      unit: 'm/s',
-      exact: ({ velocity, acceleration }) => velocity + 2 * acceleration,
-      tolerance: { absolute: 1e-11 },
-      at: { time: 2 },
-      measure: ({ world, ball }) => velocityOf(world, ball).x,
-    },
-    {
-      label: 'Way after 2 s, u t + ½ a t²',
-      unit: 'm',
-      exact: ({ velocity, acceleration }) => 2 * velocity + 2 * acceleration,
-      tolerance: { absolute: 1e-11 },
-      at: { time: 2 },
-      measure: ({ world, ball }) => positionOf(world, ball).x,
-    },
-    {
-      label: '(v² − u²)/(2 a s)',
-      exact: 1,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 2 },
-      measure: ({ world, ball }) => {
-        const { x: v } = velocityOf(world, ball);
-        return (v * v - 400) / (20 * positionOf(world, ball).x);
-      },
-    },
-    {
-      label: '½ (u + v) t/s',
-      exact: 1,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 2 },
-      measure: ({ world, ball }) => (20 + velocityOf(world, ball).x) / positionOf(world, ball).x,
-    },
+  checks: ({ at }) => [
+    at(
+      2,
+      'Velocity after 2 s, u + a t',
+      { exact: ({ velocity, acceleration }) => velocity + 2 * acceleration, unit: 'm/s', absolute: 1e-11 },
+      ({ world, ball }) => velocityOf(world, ball).x,
+    ),
+    at(
+      2,
+      'Way after 2 s, u t + ½ a t²',
+      { exact: ({ velocity, acceleration }) => 2 * velocity + 2 * acceleration, unit: 'm', absolute: 1e-11 },
+      ({ world, ball }) => positionOf(world, ball).x,
+    ),
+    at(2, '(v² − u²)/(2 a s)', { exact: 1, absolute: 1e-12 }, ({ world, ball }) => {
+      const { x: v } = velocityOf(world, ball);
+      return (v * v - 400) / (20 * positionOf(world, ball).x);
+    }),
+    at(
+      2,
+      '½ (u + v) t/s',
+      { exact: 1, absolute: 1e-12 },
+      ({ world, ball }) => (20 + velocityOf(world, ball).x) / positionOf(world, ball).x,
+    ),
   ],
   tryThis: [
     'Brake: with −10 m/s² the car stops exactly at the end, after half the way of the other car.',

@@ -59,15 +59,13 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Work and energy of motion',
-      y: { label: 'J' },
-      series: [
-        { label: 'work', value: ({ work }) => work() },
-        { label: 'energy gained', value: ({ gained }) => gained() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Work and energy of motion',
+      'J',
+      { label: 'work', value: ({ work }) => work() },
+      { label: 'energy gained', value: ({ gained }) => gained() },
+    ),
     {
       title: 'Power',
       x: { label: 'speed, m/s', value: ({ world, ball }) => speedOf(world, ball) },
@@ -75,31 +73,25 @@ export default defineExample({
       series: [{ label: 'power', value: ({ power }) => power() }],
     },
   ],
-  checks: [
-    {
-      label: 'Energy gained less work done, after 3 s',
-      unit: 'J',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 3 },
-      measure: ({ gained, work }) => gained() - work(),
-    },
-    {
-      label: 'Work after 3 s, F·(u t + ½ a t²)',
-      unit: 'J',
-      exact: ({ fx, fy }) => fx * (3 + (9 * fx) / 4) + fy * (6 + (9 * fy) / 4),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 3 },
-      measure: ({ work }) => work(),
-    },
-    {
-      label: 'Power after 3 s, F·v',
-      unit: 'W',
-      exact: ({ fx, fy }) => fx * (1 + (3 * fx) / 2) + fy * (2 + (3 * fy) / 2),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 3 },
-      measure: ({ power }) => power(),
-    },
+  checks: ({ at }) => [
+    at(
+      3,
+      'Energy gained less work done, after 3 s',
+      { exact: 0, unit: 'J', absolute: 1e-9 },
+      ({ gained, work }) => gained() - work(),
+    ),
+    at(
+      3,
+      'Work after 3 s, F·(u t + ½ a t²)',
+      { exact: ({ fx, fy }) => fx * (3 + (9 * fx) / 4) + fy * (6 + (9 * fy) / 4), unit: 'J', absolute: 1e-9 },
+      ({ work }) => work(),
+    ),
+    at(
+      3,
+      'Power after 3 s, F·v',
+      { exact: ({ fx, fy }) => fx * (1 + (3 * fx) / 2) + fy * (2 + (3 * fy) / 2), unit: 'W', absolute: 1e-9 },
+      ({ power }) => power(),
+    ),
   ],
   tryThis: [
     'Watch the two bars: they never differ, whatever the force.',

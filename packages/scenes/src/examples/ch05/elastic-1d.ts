@@ -62,18 +62,18 @@ export default defineExample({
       scale: 2,
     })),
   }),
-  plots: [
-    {
-      title: 'Where the balls are',
-      y: { label: 'x, px' },
-      series: ['left', 'middle', 'right'].map((label, i) => ({
+  plots: (plot) => [
+    plot(
+      'Where the balls are',
+      'x, px',
+      ...['left', 'middle', 'right'].map((label, i) => ({
         label,
         value: ({ world, balls }: { world: Parameters<typeof positionOf>[0]; balls: readonly number[] }) =>
           positionOf(world, balls[i]).x,
       })),
-    },
+    ),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'First contact: the middle and the right ball, 170/30 s',
       unit: 's',
@@ -95,30 +95,23 @@ export default defineExample({
       tolerance: { absolute: 1 / 60 },
       at: { event: ({ speed }) => speed(2) - 20 },
     },
-    ...[-20, 10, 30].map((exact, i) => ({
-      label: `Velocity of the ${['left', 'middle', 'right'][i]} ball in the end`,
-      unit: 'px/s',
-      exact,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 13 },
-      measure: ({ speed }: { speed(i: number): number }) => speed(i),
-    })),
-    {
-      label: 'Largest change of the momentum, 20 kg px/s',
-      unit: 'kg px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { until: 13, take: 'largest' },
-      measure: ({ world, start }) => Math.abs(momentum(world).x - start.momentum),
-    },
-    {
-      label: 'Largest change of the energy, 700 J',
-      unit: 'J',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { until: 13, take: 'largest' },
-      measure: ({ world, start }) => Math.abs(energy(world).kinetic - start.energy),
-    },
+    ...[-20, 10, 30].map((exact, i) =>
+      at(
+        13,
+        `Velocity of the ${['left', 'middle', 'right'][i]} ball in the end`,
+        { exact, unit: 'px/s', absolute: 1e-12 },
+        ({ speed }: { speed(i: number): number }) => speed(i),
+      ),
+    ),
+    largest(
+      13,
+      'Largest change of the momentum, 20 kg px/s',
+      { exact: 0, unit: 'kg px/s', absolute: 1e-12 },
+      ({ world, start }) => Math.abs(momentum(world).x - start.momentum),
+    ),
+    largest(13, 'Largest change of the energy, 700 J', { exact: 0, unit: 'J', absolute: 1e-10 }, ({ world, start }) =>
+      Math.abs(energy(world).kinetic - start.energy),
+    ),
   ],
   tryThis: [
     'Choose Newton’s cradle: the left ball stops dead, and the right one flies off with its velocity.',

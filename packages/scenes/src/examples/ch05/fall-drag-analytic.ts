@@ -51,53 +51,43 @@ export default defineExample({
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 3 }],
     labels: [{ at: { x: 145, y: START + 8 }, text: 'without drag', color: COLORS.grey }],
   }),
-  plots: [
-    {
-      title: 'Way',
-      y: { label: 's, px' },
-      series: [{ label: 'stepped', value: ({ world, ball }) => positionOf(world, ball).y - START, exact: exactWay }],
-    },
-    {
-      title: 'Velocity',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'stepped', value: ({ world, ball }) => velocityOf(world, ball).y, exact: exactSpeed }],
-    },
+  plots: (plot) => [
+    plot('Way', 's, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).y - START,
+      exact: exactWay,
+    }),
+    plot('Velocity', 'v, px/s', {
+      label: 'stepped',
+      value: ({ world, ball }) => velocityOf(world, ball).y,
+      exact: exactSpeed,
+    }),
   ],
-  checks: [
-    {
-      label: 'Way after 10 s',
-      unit: 'px',
-      exact: (values) => exactWay(10, values),
-      tolerance: { relative: 1e-4 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).y - START,
-    },
-    {
-      label: 'Velocity after 10 s',
-      unit: 'px/s',
-      exact: (values) => exactSpeed(10, values),
-      tolerance: { relative: 1e-4 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-    },
-    {
-      label: 'Way after 10 s by the simplest scheme',
-      unit: 'px',
-      exact: 160.27,
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).y - START,
-      integrator: positionFirstEuler,
-    },
-    {
-      label: 'Velocity after 10 s by the simplest scheme',
-      unit: 'px/s',
-      exact: 19.8652,
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-      integrator: positionFirstEuler,
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Way after 10 s',
+      { exact: (values) => exactWay(10, values), unit: 'px', relative: 1e-4 },
+      ({ world, ball }) => positionOf(world, ball).y - START,
+    ),
+    at(
+      10,
+      'Velocity after 10 s',
+      { exact: (values) => exactSpeed(10, values), unit: 'px/s', relative: 1e-4 },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
+    at(
+      10,
+      'Way after 10 s by the simplest scheme',
+      { exact: 160.27, unit: 'px', relative: 1e-3, integrator: positionFirstEuler },
+      ({ world, ball }) => positionOf(world, ball).y - START,
+    ),
+    at(
+      10,
+      'Velocity after 10 s by the simplest scheme',
+      { exact: 19.8652, unit: 'px/s', relative: 1e-3, integrator: positionFirstEuler },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'Choose position-first Euler: its figures are a little off, but not by more than a thousandth.',

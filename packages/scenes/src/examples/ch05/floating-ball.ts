@@ -59,14 +59,13 @@ export default defineExample({
     aims: true,
     release: ({ world, ball }, at, from) => teleport(world, ball, from, { x: at.x - from.x, y: at.y - from.y }),
   },
-  plots: [
-    {
-      title: 'Depth of the centre',
-      y: { label: 'depth, px' },
-      series: [{ label: 'depth', value: ({ world, ball }) => positionOf(world, ball).y - LEVEL }],
-    },
+  plots: (plot) => [
+    plot('Depth of the centre', 'depth, px', {
+      label: 'depth',
+      value: ({ world, ball }) => positionOf(world, ball).y - LEVEL,
+    }),
   ],
-  checks: [
+  checks: ({ mean }) => [
     {
       label: 'Deepest point of the first plunge, from the top',
       unit: 'px',
@@ -82,14 +81,12 @@ export default defineExample({
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
     },
-    {
-      label: 'Mean depth of the bob in five periods',
-      unit: 'px',
-      exact: REST - LEVEL,
-      tolerance: { relative: 0.005 },
-      at: { until: 5 * 5.439, take: 'mean' },
-      measure: ({ world, bob }) => positionOf(world, bob).y - LEVEL,
-    },
+    mean(
+      5 * 5.439,
+      'Mean depth of the bob in five periods',
+      { exact: REST - LEVEL, unit: 'px', relative: 0.005 },
+      ({ world, bob }) => positionOf(world, bob).y - LEVEL,
+    ),
   ],
   tryThis: [
     'Set the drag to zero: the ball jumps out of the water for ever.',

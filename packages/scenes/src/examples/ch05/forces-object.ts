@@ -61,38 +61,32 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Sum of the forces',
-      y: { label: 'F, N' },
-      series: [
-        { label: 'to the right', value: ({ sum }) => sum().x },
-        { label: 'upwards', value: ({ sum }) => sum().y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Sum of the forces',
+      'F, N',
+      { label: 'to the right', value: ({ sum }) => sum().x },
+      { label: 'upwards', value: ({ sum }) => sum().y },
+    ),
   ],
-  checks: [
-    {
-      // The mean of the sums before and after the step, which is off by some dt² of the change of the forces.
-      label: 'Mass times acceleration in the first step, less the sum',
-      unit: 'N',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: DT },
-      measure: ({ world, ball, first, sum }) => {
+  checks: ({ at }) => [
+    // The mean of the sums before and after the step, which is off by some dt² of the change of the forces.
+    at(
+      DT,
+      'Mass times acceleration in the first step, less the sum',
+      { exact: 0, unit: 'N', absolute: 1e-3 },
+      ({ world, ball, first, sum }) => {
         const [v, last] = [velocityOf(world, ball), sum()];
         const mean = { x: (first.x + last.x) / 2, y: (first.y + last.y) / 2 };
         return distanceBetween({ x: (MASS * (v.x - 3)) / DT, y: (MASS * (v.y - 8)) / DT }, mean);
       },
-    },
-    {
-      label: 'Sum of the forces after 10 s, when the velocity has settled',
-      unit: 'N',
-      exact: 0,
-      tolerance: { absolute: 0.01 },
-      at: { time: 10 },
-      measure: ({ sum }) => lengthOf(sum()),
-    },
+    ),
+    at(
+      10,
+      'Sum of the forces after 10 s, when the velocity has settled',
+      { exact: 0, unit: 'N', absolute: 0.01 },
+      ({ sum }) => lengthOf(sum()),
+    ),
   ],
   tryThis: [
     'Turn the wind round: the ball is blown to the other side, and its path bends back.',

@@ -69,42 +69,35 @@ export default defineExample({
     ],
     dots: [{ at: () => centreOfMass(world), color: COLORS.white }],
   }),
-  plots: [
-    {
-      title: 'Momentum to the right',
-      y: { label: 'p, kg m/s' },
-      series: [
-        { label: 'all', value: ({ world }) => momentum(world).x },
-        { label: 'light', value: ({ world, a }) => world.components.Mass.value[a] * velocityOf(world, a).x },
-        { label: 'heavy', value: ({ world, b }) => 7 * velocityOf(world, b).x },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Momentum to the right',
+      'p, kg m/s',
+      { label: 'all', value: ({ world }) => momentum(world).x },
+      { label: 'light', value: ({ world, a }) => world.components.Mass.value[a] * velocityOf(world, a).x },
+      { label: 'heavy', value: ({ world, b }) => 7 * velocityOf(world, b).x },
+    ),
   ],
-  checks: [
-    {
-      label: 'Speed of the free puck after 20 s',
-      unit: 'm/s',
-      exact: FREE_SPEED,
-      tolerance: { absolute: 0 },
-      at: { time: 20 },
-      measure: ({ world, free }) => speedOf(world, free),
-    },
-    {
-      label: 'Largest change of the momentum in 20 s',
-      unit: 'kg m/s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ world, start }) => distanceBetween(momentum(world), start.momentum),
-    },
-    {
-      label: 'Way of the centre of mass in 10 s, Σp t/Σm',
-      unit: 'm',
-      exact: ({ mass }) => (10 * Math.sqrt(quadrance(0.4 * mass + 5.6 + 0.0007, 2 * mass - 5.6))) / (mass + 7.001),
-      tolerance: { relative: 1e-9 },
-      at: { time: 10 },
-      measure: ({ world, start }) => distanceBetween(centreOfMass(world), start.centre),
-    },
+  checks: ({ at, largest }) => [
+    at(20, 'Speed of the free puck after 20 s', { exact: FREE_SPEED, unit: 'm/s', absolute: 0 }, ({ world, free }) =>
+      speedOf(world, free),
+    ),
+    largest(
+      20,
+      'Largest change of the momentum in 20 s',
+      { exact: 0, unit: 'kg m/s', absolute: 1e-12 },
+      ({ world, start }) => distanceBetween(momentum(world), start.momentum),
+    ),
+    at(
+      10,
+      'Way of the centre of mass in 10 s, Σp t/Σm',
+      {
+        exact: ({ mass }) => (10 * Math.sqrt(quadrance(0.4 * mass + 5.6 + 0.0007, 2 * mass - 5.6))) / (mass + 7.001),
+        unit: 'm',
+        relative: 1e-9,
+      },
+      ({ world, start }) => distanceBetween(centreOfMass(world), start.centre),
+    ),
   ],
   tryThis: [
     'Take equal masses: both pucks now swing equally far to both sides of the dot.',

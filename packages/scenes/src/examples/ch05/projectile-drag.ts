@@ -70,36 +70,26 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => START.y - positionOf(world, ball).y,
-          exact: (t, values) => START.y - exactPlace(t, values).y,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => START.y - positionOf(world, ball).y,
+      exact: (t, values) => START.y - exactPlace(t, values).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'x after 10 s',
-      unit: 'px',
-      exact: (values) => exactPlace(10, values).x,
-      tolerance: { absolute: 0.01 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).x,
-    },
-    {
-      label: 'y after 10 s',
-      unit: 'px',
-      exact: (values) => exactPlace(10, values).y,
-      tolerance: { absolute: 0.01 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).y,
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'x after 10 s',
+      { exact: (values) => exactPlace(10, values).x, unit: 'px', absolute: 0.01 },
+      ({ world, ball }) => positionOf(world, ball).x,
+    ),
+    at(
+      10,
+      'y after 10 s',
+      { exact: (values) => exactPlace(10, values).y, unit: 'px', absolute: 0.01 },
+      ({ world, ball }) => positionOf(world, ball).y,
+    ),
     {
       label: 'Time of the apex, ln(1 + k v/g)/k',
       unit: 's',
@@ -115,33 +105,24 @@ export default defineExample({
       at: { event: ({ world, ball }) => velocityOf(world, ball).y },
       measure: ({ world, ball }) => positionOf(world, ball).y,
     },
-    {
-      label: 'y after 10 s by the simplest scheme',
-      unit: 'px',
-      exact: 388.61,
-      tolerance: { absolute: 0.5 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).y,
-      integrator: positionFirstEuler,
-    },
-    {
-      label: 'y after 10 s, v t − ½ g t² above the start',
-      unit: 'px',
-      exact: 300,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).y,
-      preset: 'Gravity only',
-    },
-    {
-      label: 'Way to the right less way upwards after 10 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).x + positionOf(world, ball).y - START.x - START.y,
-      preset: 'Drag only',
-    },
+    at(
+      10,
+      'y after 10 s by the simplest scheme',
+      { exact: 388.61, unit: 'px', absolute: 0.5, integrator: positionFirstEuler },
+      ({ world, ball }) => positionOf(world, ball).y,
+    ),
+    at(
+      10,
+      'y after 10 s, v t − ½ g t² above the start',
+      { exact: 300, unit: 'px', absolute: 1e-9, preset: 'Gravity only' },
+      ({ world, ball }) => positionOf(world, ball).y,
+    ),
+    at(
+      10,
+      'Way to the right less way upwards after 10 s',
+      { exact: 0, unit: 'px', absolute: 1e-9, preset: 'Drag only' },
+      ({ world, ball }) => positionOf(world, ball).x + positionOf(world, ball).y - START.x - START.y,
+    ),
   ],
   tryThis: [
     'Take the drag away: the ball follows the grey parabola.',

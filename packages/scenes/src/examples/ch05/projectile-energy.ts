@@ -47,42 +47,34 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Energy',
-      y: { label: 'E, J' },
-      series: [
-        { label: 'height', value: ({ world }) => energy(world).potential },
-        { label: 'motion', value: ({ world }) => energy(world).kinetic },
-        { label: 'total', value: ({ world }) => energy(world).total },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Energy',
+      'E, J',
+      { label: 'height', value: ({ world }) => energy(world).potential },
+      { label: 'motion', value: ({ world }) => energy(world).kinetic },
+      { label: 'total', value: ({ world }) => energy(world).total },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest total energy in 10 s, ½ m u²',
-      unit: 'J',
-      exact: ({ speed }) => (speed * speed) / 2,
-      tolerance: { absolute: 1e-9 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ world }) => energy(world).total,
-    },
-    {
-      label: 'Smallest total energy',
-      unit: 'J',
-      exact: ({ speed }) => (speed * speed) / 2,
-      tolerance: { absolute: 1e-9 },
-      at: { until: 10, take: 'smallest' },
-      measure: ({ world }) => energy(world).total,
-    },
-    {
-      label: 'Height at 5 s, the apex',
-      unit: 'px',
-      exact: 125,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 5 },
-      measure: ({ world, ball }) => positionOf(world, ball).y,
-    },
+  checks: ({ at, largest, smallest }) => [
+    largest(
+      10,
+      'Largest total energy in 10 s, ½ m u²',
+      { exact: ({ speed }) => (speed * speed) / 2, unit: 'J', absolute: 1e-9 },
+      ({ world }) => energy(world).total,
+    ),
+    smallest(
+      10,
+      'Smallest total energy',
+      { exact: ({ speed }) => (speed * speed) / 2, unit: 'J', absolute: 1e-9 },
+      ({ world }) => energy(world).total,
+    ),
+    at(
+      5,
+      'Height at 5 s, the apex',
+      { exact: 125, unit: 'px', absolute: 1e-9 },
+      ({ world, ball }) => positionOf(world, ball).y,
+    ),
     {
       // The difference of the two is linear in the height, so that interpolation between steps is exact.
       label: 'Height at which both forms are equal, u²/4g',

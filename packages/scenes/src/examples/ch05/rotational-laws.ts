@@ -78,45 +78,37 @@ export default defineExample({
       lines: spokes,
     };
   },
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [
-        {
-          label: 'inertia I',
-          value: ({ world, ball }) => world.components.AngularVelocity.z[ball],
-          exact: (t, { torque, inertia }) => (torque / inertia) * Math.min(t, PUSH_TIME),
-        },
-        { label: 'half of it', value: ({ world, light }) => world.components.AngularVelocity.z[light] },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Angular velocity',
+      'ω, rad/s',
+      {
+        label: 'inertia I',
+        value: ({ world, ball }) => world.components.AngularVelocity.z[ball],
+        exact: (t, { torque, inertia }) => (torque / inertia) * Math.min(t, PUSH_TIME),
+      },
+      { label: 'half of it', value: ({ world, light }) => world.components.AngularVelocity.z[light] },
+    ),
   ],
-  checks: [
-    {
-      label: 'Angular velocity after 1 s, τ t/I',
-      unit: 'rad/s',
-      exact: ({ torque, inertia }) => torque / inertia,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 1 },
-      measure: ({ world, ball }) => world.components.AngularVelocity.z[ball],
-    },
-    {
-      label: 'Angular momentum of both after the push, 2 τ t',
-      unit: 'kg m²/s',
-      exact: ({ torque }) => 2 * torque * PUSH_TIME,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 6 },
-      measure: ({ world }) => angularMomentum(world).z,
-    },
-    {
-      label: 'Its change in the ten seconds after the push',
-      unit: 'kg m²/s',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 15 },
-      measure: ({ world, log }) => angularMomentum(world).z - log.atEnd,
-    },
+  checks: ({ at }) => [
+    at(
+      1,
+      'Angular velocity after 1 s, τ t/I',
+      { exact: ({ torque, inertia }) => torque / inertia, unit: 'rad/s', absolute: 1e-14 },
+      ({ world, ball }) => world.components.AngularVelocity.z[ball],
+    ),
+    at(
+      6,
+      'Angular momentum of both after the push, 2 τ t',
+      { exact: ({ torque }) => 2 * torque * PUSH_TIME, unit: 'kg m²/s', absolute: 1e-12 },
+      ({ world }) => angularMomentum(world).z,
+    ),
+    at(
+      15,
+      'Its change in the ten seconds after the push',
+      { exact: 0, unit: 'kg m²/s', absolute: 1e-14 },
+      ({ world, log }) => angularMomentum(world).z - log.atEnd,
+    ),
   ],
   tryThis: [
     'Make the wheels heavier: after the same push they turn more slowly, but their angular momentum is the same.',

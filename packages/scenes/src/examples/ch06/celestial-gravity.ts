@@ -73,12 +73,12 @@ export default defineExample({
       text: `${name} ${gravities[i].toFixed(2)}`,
     })),
   }),
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, m' },
-      series: BODIES.map(({ name }, i) => ({ label: name, value: ({ height }: Dropped) => height(i) })),
-    },
+  plots: (plot) => [
+    plot(
+      'Height',
+      'height, m',
+      ...BODIES.map(({ name }, i) => ({ label: name, value: ({ height }: Dropped) => height(i) })),
+    ),
   ],
   checks: [
     ...[1.624, 3.728, 25.93].map((exact, i) => {

@@ -49,50 +49,39 @@ export default defineExample({
       scale: 3,
     })),
   }),
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'blue', value: ({ world, blue }) => speedOf(world, blue) },
-        { label: 'orange', value: ({ world, orange }) => speedOf(world, orange) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed',
+      'v, px/s',
+      { label: 'blue', value: ({ world, blue }) => speedOf(world, blue) },
+      { label: 'orange', value: ({ world, orange }) => speedOf(world, orange) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Escape velocity √(2 GM/r), from the speed of the orange rocket',
-      unit: 'px/s',
-      exact: 109.2,
-      tolerance: { absolute: 5e-3 },
-      at: { time: 0 },
-      measure: ({ world, orange }) => speedOf(world, orange) / 1.01,
-    },
-    {
-      label: 'Speed that is left of the orange one, √(v² − v_esc²)',
-      unit: 'px/s',
-      exact: ({ fast }: Values) => ESCAPE * Math.sqrt(fast * fast - 1),
-      tolerance: { relative: 1e-3 },
-      at: { time: 900 },
-      measure: ({ leftOver }) => leftOver(),
-    },
-    {
-      label: 'Largest distance of the blue one, r/(1 − share²)',
-      unit: 'px',
-      exact: apex(0.9),
-      tolerance: { relative: 1e-3 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, blue }) => positionOf(world, blue).y,
-    },
-    {
-      label: 'Largest distance with one per cent less',
-      unit: 'px',
-      exact: apex(0.99),
-      tolerance: { relative: 1e-3 },
-      at: { until: 900, take: 'largest' },
-      measure: ({ world, blue }) => positionOf(world, blue).y,
-      preset: 'One per cent less',
-    },
+  checks: ({ at, largest }) => [
+    at(
+      0,
+      'Escape velocity √(2 GM/r), from the speed of the orange rocket',
+      { exact: 109.2, unit: 'px/s', absolute: 5e-3 },
+      ({ world, orange }) => speedOf(world, orange) / 1.01,
+    ),
+    at(
+      900,
+      'Speed that is left of the orange one, √(v² − v_esc²)',
+      { exact: ({ fast }: Values) => ESCAPE * Math.sqrt(fast * fast - 1), unit: 'px/s', relative: 1e-3 },
+      ({ leftOver }) => leftOver(),
+    ),
+    largest(
+      30,
+      'Largest distance of the blue one, r/(1 − share²)',
+      { exact: apex(0.9), unit: 'px', relative: 1e-3 },
+      ({ world, blue }) => positionOf(world, blue).y,
+    ),
+    largest(
+      900,
+      'Largest distance with one per cent less',
+      { exact: apex(0.99), unit: 'px', relative: 1e-3, preset: 'One per cent less' },
+      ({ world, blue }) => positionOf(world, blue).y,
+    ),
   ],
   tryThis: [
     'Give the blue rocket 0.95 instead of 0.9: it gets nearly twice as far, ten times as far out as it started.',

@@ -41,22 +41,21 @@ export default defineExample({
     dots: [{ at: () => ({ x: r(), y: gravity(r()) }), radius: 8 }],
     labels: [{ at: { x: 1.1, y: 10 }, text: 'the ground', color: COLORS.grey }],
   }),
-  plots: [
-    {
-      title: 'Distance from the centre',
-      y: { label: 'r, radii' },
-      series: [{ label: 'stone', value: ({ world, ball }) => positionOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Distance from the centre', 'r, radii', {
+      label: 'stone',
+      value: ({ world, ball }) => positionOf(world, ball).y,
+    }),
   ],
-  checks: [
-    ...[0.5, 1, 2, 10].map((r) => ({
-      label: `Gravity at ${r} radii`,
-      unit: 'm/s²',
-      exact: { 0.5: 4.905, 1: 9.81, 2: 2.4525, 10: 0.0981 }[r] as number,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => gravity(r),
-    })),
+  checks: ({ at, largest }) => [
+    ...[0.5, 1, 2, 10].map((r) =>
+      at(
+        0,
+        `Gravity at ${r} radii`,
+        { exact: { 0.5: 4.905, 1: 9.81, 2: 2.4525, 10: 0.0981 }[r] as number, unit: 'm/s²', absolute: 1e-12 },
+        () => gravity(r),
+      ),
+    ),
     {
       label: 'Time to the other side and back, 2π √(R/g₀) in these units',
       unit: 's',
@@ -64,14 +63,12 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, ball }) => positionOf(world, ball).y, from: 1, to: 2 },
     },
-    {
-      label: 'Largest speed in the centre, √(g₀ R)',
-      unit: 'radii/s',
-      exact: Math.sqrt(G0),
-      tolerance: { relative: 1e-4 },
-      at: { until: 4, take: 'largest' },
-      measure: ({ world, ball }) => Math.abs(velocityOf(world, ball).y),
-    },
+    largest(
+      4,
+      'Largest speed in the centre, √(g₀ R)',
+      { exact: Math.sqrt(G0), unit: 'radii/s', relative: 1e-4 },
+      ({ world, ball }) => Math.abs(velocityOf(world, ball).y),
+    ),
   ],
   tryThis: [
     'Start deep in the shaft: the stone needs exactly as long to come back as from the ground.',

@@ -50,29 +50,17 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Force at 2 m, m₁ m₂/4',
-      unit: 'N',
-      exact: ({ m1, m2 }) => (m1 * m2) / 4,
-      tolerance: { relative: 1e-4 },
-      at: { time: DT },
-      measure: ({ pull }) => pull(1, 0),
-    },
-    {
-      label: 'Force at 4 m over that at 2 m',
-      exact: 0.25,
-      tolerance: { relative: 1e-4 },
-      at: { time: DT },
-      measure: ({ pull }) => pull(2, 0) / pull(1, 0),
-    },
-    {
-      label: 'Both forces together, as a share of one',
-      exact: 0,
-      tolerance: { absolute: 1e-15 },
-      at: { time: DT },
-      measure: ({ pull }) => Math.abs(pull(1, 0) + pull(1, 1)) / Math.abs(pull(1, 0)),
-    },
+  checks: ({ at }) => [
+    at(DT, 'Force at 2 m, m₁ m₂/4', { exact: ({ m1, m2 }) => (m1 * m2) / 4, unit: 'N', relative: 1e-4 }, ({ pull }) =>
+      pull(1, 0),
+    ),
+    at(DT, 'Force at 4 m over that at 2 m', { exact: 0.25, relative: 1e-4 }, ({ pull }) => pull(2, 0) / pull(1, 0)),
+    at(
+      DT,
+      'Both forces together, as a share of one',
+      { exact: 0, absolute: 1e-15 },
+      ({ pull }) => Math.abs(pull(1, 0) + pull(1, 1)) / Math.abs(pull(1, 0)),
+    ),
   ],
   tryThis: [
     'Double one of the masses: the whole curve becomes twice as high.',

@@ -40,43 +40,26 @@ export default defineExample({
       },
     ],
   }),
-  plots: [
-    {
-      title: 'How far the two are apart',
-      y: { label: 'm' },
-      series: [
-        {
-          label: 'difference',
-          value: ({ world, ball, constant }) => positionOf(world, ball).y - constant(world.time).y,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('How far the two are apart', 'm', {
+      label: 'difference',
+      value: ({ world, ball, constant }) => positionOf(world, ball).y - constant(world.time).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Gravity at the ground, GM/R²',
-      unit: 'm/s²',
-      exact: 9.82,
-      tolerance: { absolute: 5e-4 },
-      at: { time: 0 },
-      measure: () => gravityAt(0),
-    },
-    {
-      label: 'Change over a kilometre',
-      unit: '%',
-      exact: -0.0314,
-      tolerance: { absolute: 5e-5 },
-      at: { time: 0 },
-      measure: () => (gravityAt(1000) / gravityAt(0) - 1) * 100,
-    },
-    {
-      label: 'Acceleration of the stone in the first second',
-      unit: 'm/s²',
-      exact: ({ height }) => gravityAt(1000 * height),
-      tolerance: { relative: 1e-5 },
-      at: { time: 1 },
-      measure: ({ world, ball }) => -velocityOf(world, ball).y,
-    },
+  checks: ({ at }) => [
+    at(0, 'Gravity at the ground, GM/R²', { exact: 9.82, unit: 'm/s²', absolute: 5e-4 }, () => gravityAt(0)),
+    at(
+      0,
+      'Change over a kilometre',
+      { exact: -0.0314, unit: '%', absolute: 5e-5 },
+      () => (gravityAt(1000) / gravityAt(0) - 1) * 100,
+    ),
+    at(
+      1,
+      'Acceleration of the stone in the first second',
+      { exact: ({ height }) => gravityAt(1000 * height), unit: 'm/s²', relative: 1e-5 },
+      ({ world, ball }) => -velocityOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'Read the plot: after ten seconds the difference is not even two metres.',

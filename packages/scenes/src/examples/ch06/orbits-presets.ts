@@ -58,16 +58,16 @@ export default defineExample({
     view: { minX: -1500, maxX: 1700, minY: -150, maxY: 2250 },
     trails: planets.map((body) => ({ body, length: 2000, interval: 6 })),
   }),
-  plots: [
-    {
-      title: 'Distance from the sun',
-      y: { label: 'r, px' },
-      series: [0, 1].map((i) => ({
+  plots: (plot) => [
+    plot(
+      'Distance from the sun',
+      'r, px',
+      ...[0, 1].map((i) => ({
         label: `planet ${i + 1}`,
         value: ({ world, planets }: { world: Parameters<typeof positionOf>[0]; planets: readonly number[] }) =>
           distanceBetween(positionOf(world, planets[i % planets.length]), SUN),
       })),
-    },
+    ),
   ],
   checks: LAUNCHES.flatMap(({ vx, vy, a, e, T }, i) => [
     {

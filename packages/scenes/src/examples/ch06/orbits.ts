@@ -57,23 +57,20 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Energy',
-      y: { label: 'energy, J' },
-      series: [
-        { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
-        { label: 'potential', value: ({ world }) => energy(world).potential },
-        { label: 'total', value: ({ world }) => energy(world).total },
-      ],
-    },
-    {
-      title: 'Distance from the sun',
-      y: { label: 'r, px' },
-      series: [{ label: 'distance', value: ({ world, planet }) => distanceBetween(positionOf(world, planet), SUN) }],
-    },
+  plots: (plot) => [
+    plot(
+      'Energy',
+      'energy, J',
+      { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
+      { label: 'potential', value: ({ world }) => energy(world).potential },
+      { label: 'total', value: ({ world }) => energy(world).total },
+    ),
+    plot('Distance from the sun', 'r, px', {
+      label: 'distance',
+      value: ({ world, planet }) => distanceBetween(positionOf(world, planet), SUN),
+    }),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Period, 2π √(a³/GM)',
       unit: 's',
@@ -86,22 +83,15 @@ export default defineExample({
         to: 2,
       },
     },
-    {
-      label: 'Largest distance',
-      unit: 'px',
-      exact: 341.76,
-      tolerance: { relative: 1e-3 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, planet }) => distanceBetween(positionOf(world, planet), SUN),
-    },
-    {
-      label: 'Angular momentum after 30 s',
-      unit: 'kg px²/s',
-      exact: 15000,
-      tolerance: { relative: 1e-12 },
-      at: { time: 30 },
-      measure: ({ world }) => angularMomentum(world, SUN).z,
-    },
+    largest(30, 'Largest distance', { exact: 341.76, unit: 'px', relative: 1e-3 }, ({ world, planet }) =>
+      distanceBetween(positionOf(world, planet), SUN),
+    ),
+    at(
+      30,
+      'Angular momentum after 30 s',
+      { exact: 15000, unit: 'kg px²/s', relative: 1e-12 },
+      ({ world }) => angularMomentum(world, SUN).z,
+    ),
   ],
   tryThis: [
     'Change the integrator to explicit Euler: the planet spirals outwards, because it gains energy in every turn.',

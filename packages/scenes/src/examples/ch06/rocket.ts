@@ -139,19 +139,11 @@ export default defineExample({
     left: held('←', 'arrowleft', 'push to the left', push, -1),
     right: held('→', 'arrowright', 'push to the right', push),
   },
-  plots: [
-    {
-      title: 'Height above the ground',
-      y: { label: 'height, px' },
-      series: [{ label: 'height', value: ({ height }) => height() }],
-    },
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'speed', value: ({ world, rocket }) => speedOf(world, rocket) }],
-    },
+  plots: (plot) => [
+    plot('Height above the ground', 'height, px', { label: 'height', value: ({ height }) => height() }),
+    plot('Speed', 'v, px/s', { label: 'speed', value: ({ world, rocket }) => speedOf(world, rocket) }),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'The fuel lasts',
       unit: 's',
@@ -159,66 +151,36 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, rocket }) => 1e-9 - world.components.Engine.fuel[rocket] },
     },
-    {
-      label: 'Height when it is gone',
-      unit: 'px',
-      exact: 50.87,
-      tolerance: { relative: 1e-3 },
-      at: { time: 7 },
-      measure: ({ height }) => height(),
-    },
-    {
-      label: 'Speed when it is gone',
-      unit: 'px/s',
-      exact: 27.145,
-      tolerance: { relative: 1e-3 },
-      at: { time: 7 },
-      measure: ({ world, rocket }) => speedOf(world, rocket),
-    },
-    {
-      label: 'Escape speed at that height, √(2 GM/r)',
-      unit: 'px/s',
-      exact: 36.41,
-      tolerance: { relative: 1e-3 },
-      at: { time: 7 },
-      measure: ({ height }) => Math.sqrt((2 * GM) / (RADIUS + height())),
-    },
-    {
-      label: 'Thrust by weight at lift-off',
-      exact: 1,
-      tolerance: { relative: 1e-3 },
-      at: { time: DT },
-      measure: ({ world, rocket, height }) => {
-        const r = RADIUS + height();
-        return (-world.components.Engine.thrustY[rocket] * r * r) / (GM * world.components.Mass.value[rocket]);
-      },
-    },
-    {
-      label: 'Speed without gravity, v ln(10/6.5)',
-      unit: 'px/s',
-      exact: 86.157,
-      tolerance: { absolute: 5e-4 },
-      at: { time: 8 },
-      measure: ({ world, rocket }) => speedOf(world, rocket),
-      preset: 'Far from any planet',
-    },
-    {
-      // Momentum of rocket and exhaust: m dv = -v_e dm, summed up to the logarithm.
-      label: 'The same by its exact value, 200 ln(10/6.5)',
-      exact: 1,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 8 },
-      measure: ({ world, rocket }) => speedOf(world, rocket) / (200 * log(10 / 6.5)),
-      preset: 'Far from any planet',
-    },
-    {
-      label: 'Largest distance from the centre',
-      unit: 'px',
-      exact: 339.69,
-      tolerance: { relative: 1e-3 },
-      at: { until: 70, take: 'largest' },
-      measure: ({ height }) => RADIUS + height(),
-    },
+    at(7, 'Height when it is gone', { exact: 50.87, unit: 'px', relative: 1e-3 }, ({ height }) => height()),
+    at(7, 'Speed when it is gone', { exact: 27.145, unit: 'px/s', relative: 1e-3 }, ({ world, rocket }) =>
+      speedOf(world, rocket),
+    ),
+    at(7, 'Escape speed at that height, √(2 GM/r)', { exact: 36.41, unit: 'px/s', relative: 1e-3 }, ({ height }) =>
+      Math.sqrt((2 * GM) / (RADIUS + height())),
+    ),
+    at(DT, 'Thrust by weight at lift-off', { exact: 1, relative: 1e-3 }, ({ world, rocket, height }) => {
+      const r = RADIUS + height();
+      return (-world.components.Engine.thrustY[rocket] * r * r) / (GM * world.components.Mass.value[rocket]);
+    }),
+    at(
+      8,
+      'Speed without gravity, v ln(10/6.5)',
+      { exact: 86.157, unit: 'px/s', absolute: 5e-4, preset: 'Far from any planet' },
+      ({ world, rocket }) => speedOf(world, rocket),
+    ),
+    // Momentum of rocket and exhaust: m dv = -v_e dm, summed up to the logarithm.
+    at(
+      8,
+      'The same by its exact value, 200 ln(10/6.5)',
+      { exact: 1, absolute: 1e-6, preset: 'Far from any planet' },
+      ({ world, rocket }) => speedOf(world, rocket) / (200 * log(10 / 6.5)),
+    ),
+    largest(
+      70,
+      'Largest distance from the centre',
+      { exact: 339.69, unit: 'px', relative: 1e-3 },
+      ({ height }) => RADIUS + height(),
+    ),
   ],
   tryThis: [
     'Do nothing: the rocket comes down again exactly where it stood.',

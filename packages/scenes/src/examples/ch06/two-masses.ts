@@ -75,51 +75,34 @@ export default defineExample({
       { at: () => centreOfMass(world), radius: 4, color: COLORS.white },
     ],
   }),
-  plots: [
-    {
-      title: 'Distance of the two',
-      y: { label: 'r, px' },
-      series: [{ label: 'distance', value: ({ distance }) => distance() }],
-    },
-    {
-      title: 'Velocity across the line of the start',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'blue', value: ({ world, blue }) => velocityOf(world, blue).y },
-        { label: 'red', value: ({ world, red }) => velocityOf(world, red).y },
-      ],
-    },
+  plots: (plot) => [
+    plot('Distance of the two', 'r, px', { label: 'distance', value: ({ distance }) => distance() }),
+    plot(
+      'Velocity across the line of the start',
+      'v, px/s',
+      { label: 'blue', value: ({ world, blue }) => velocityOf(world, blue).y },
+      { label: 'red', value: ({ world, red }) => velocityOf(world, red).y },
+    ),
   ],
-  checks: [
+  checks: ({ at, largest, smallest }) => [
     {
       ...orbit,
       exact: period,
       at: { event: ({ parting }) => parting(), from: 1, to: 2 },
     },
-    {
-      label: 'Largest distance',
-      unit: 'px',
-      exact: 200,
-      tolerance: { relative: 1e-5 },
-      at: { until: 11, take: 'largest' },
-      measure: ({ distance }) => distance(),
-    },
-    {
-      label: 'Momentum after 10 s, m₁ v₁ + m₂ v₂',
-      unit: 'kg px/s',
-      exact: 150,
-      tolerance: { relative: 1e-12 },
-      at: { time: 10 },
-      measure: ({ world }) => momentum(world).y,
-    },
-    {
-      label: 'Velocity of the centre of mass',
-      unit: 'px/s',
-      exact: ({ m2, v1, v2 }) => (v1 + m2 * v2) / (1 + m2),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ world }) => (centreOfMass(world).y - 200) / world.time,
-    },
+    largest(11, 'Largest distance', { exact: 200, unit: 'px', relative: 1e-5 }, ({ distance }) => distance()),
+    at(
+      10,
+      'Momentum after 10 s, m₁ v₁ + m₂ v₂',
+      { exact: 150, unit: 'kg px/s', relative: 1e-12 },
+      ({ world }) => momentum(world).y,
+    ),
+    at(
+      10,
+      'Velocity of the centre of mass',
+      { exact: ({ m2, v1, v2 }) => (v1 + m2 * v2) / (1 + m2), unit: 'px/s', absolute: 1e-9 },
+      ({ world }) => (centreOfMass(world).y - 200) / world.time,
+    ),
     {
       ...orbit,
       label: 'Period at rest together',
@@ -127,24 +110,18 @@ export default defineExample({
       at: { event: ({ parting }) => parting(), from: 1, to: 2 },
       preset: 'At rest together',
     },
-    {
-      label: 'Momentum of both at rest together',
-      unit: 'kg px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 10 },
-      measure: ({ world }) => momentum(world).y,
-      preset: 'At rest together',
-    },
-    {
-      label: 'Smallest distance of equal masses, a (1 − e) = 125 · 0.4',
-      unit: 'px',
-      exact: 50,
-      tolerance: { relative: 1e-3 },
-      at: { until: 20, take: 'smallest' },
-      measure: ({ distance }) => distance(),
-      preset: 'Equal masses',
-    },
+    at(
+      10,
+      'Momentum of both at rest together',
+      { exact: 0, unit: 'kg px/s', absolute: 1e-10, preset: 'At rest together' },
+      ({ world }) => momentum(world).y,
+    ),
+    smallest(
+      20,
+      'Smallest distance of equal masses, a (1 − e) = 125 · 0.4',
+      { exact: 50, unit: 'px', relative: 1e-3, preset: 'Equal masses' },
+      ({ distance }) => distance(),
+    ),
     {
       ...orbit,
       label: 'Period of equal masses',

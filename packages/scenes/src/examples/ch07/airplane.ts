@@ -85,33 +85,21 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed along the ground',
-      y: { label: 'v, px/s' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, plane }) => velocityOf(world, plane).x,
-          exact: (t, values) => terminal(values) * tanh(DRAG * terminal(values) * Math.min(t, takeOffTime(values))),
-        },
-      ],
-    },
-    {
-      title: 'Height',
-      y: { label: 'h, px' },
-      series: [{ label: 'plane', value: ({ world, plane }) => positionOf(world, plane).y }],
-    },
+  plots: (plot) => [
+    plot('Speed along the ground', 'v, px/s', {
+      label: 'stepped',
+      value: ({ world, plane }) => velocityOf(world, plane).x,
+      exact: (t, values) => terminal(values) * tanh(DRAG * terminal(values) * Math.min(t, takeOffTime(values))),
+    }),
+    plot('Height', 'h, px', { label: 'plane', value: ({ world, plane }) => positionOf(world, plane).y }),
   ],
-  checks: [
-    {
-      label: 'Speed after 5 s on the runway',
-      unit: 'px/s',
-      exact: (values) => terminal(values) * tanh(5 * DRAG * terminal(values)),
-      tolerance: { relative: 0.01 },
-      at: { time: 5 },
-      measure: ({ world, plane }) => velocityOf(world, plane).x,
-    },
+  checks: ({ at }) => [
+    at(
+      5,
+      'Speed after 5 s on the runway',
+      { exact: (values) => terminal(values) * tanh(5 * DRAG * terminal(values)), unit: 'px/s', relative: 0.01 },
+      ({ world, plane }) => velocityOf(world, plane).x,
+    ),
     {
       label: 'Time of take-off',
       unit: 's',

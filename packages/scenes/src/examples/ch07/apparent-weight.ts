@@ -56,42 +56,30 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'The balance shows',
-      y: { label: 'force, N' },
-      series: [{ label: 'spring', value: ({ balance }) => balance() }],
-    },
-    {
-      title: 'Part of the first cube under water',
-      y: { label: 'fraction' },
-      series: [{ label: 'cube', value: ({ immersed }) => immersed(), exact: (_, { light }) => light }],
-    },
+  plots: (plot) => [
+    plot('The balance shows', 'force, N', { label: 'spring', value: ({ balance }) => balance() }),
+    plot('Part of the first cube under water', 'fraction', {
+      label: 'cube',
+      value: ({ immersed }) => immersed(),
+      exact: (_, { light }) => light,
+    }),
   ],
-  checks: [
-    {
-      label: 'Part of the floating cube under water, ρ/ρ_water',
-      exact: ({ light }) => light,
-      tolerance: { relative: 1e-6 },
-      at: { time: 60 },
-      measure: ({ immersed }) => immersed(),
-    },
-    {
-      label: 'Speed of the hovering cube after 60 s',
-      unit: 'm/s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 60 },
-      measure: ({ world, hovering }) => speedOf(world, hovering),
-    },
-    {
-      label: 'Apparent weight of the third, (ρ − ρ_water) V g',
-      unit: 'N',
-      exact: ({ heavy }) => (heavy - FLUID) * GRAVITY,
-      tolerance: { relative: 1e-6 },
-      at: { time: 60 },
-      measure: ({ balance }) => balance(),
-    },
+  checks: ({ at }) => [
+    at(
+      60,
+      'Part of the floating cube under water, ρ/ρ_water',
+      { exact: ({ light }) => light, relative: 1e-6 },
+      ({ immersed }) => immersed(),
+    ),
+    at(60, 'Speed of the hovering cube after 60 s', { exact: 0, unit: 'm/s', absolute: 1e-12 }, ({ world, hovering }) =>
+      speedOf(world, hovering),
+    ),
+    at(
+      60,
+      'Apparent weight of the third, (ρ − ρ_water) V g',
+      { exact: ({ heavy }) => (heavy - FLUID) * GRAVITY, unit: 'N', relative: 1e-6 },
+      ({ balance }) => balance(),
+    ),
   ],
   tryThis: [
     'Set the density of the first to 0.5: it floats with half of it under water.',

@@ -104,60 +104,44 @@ export default defineExample({
     up: held('▲', 'arrowup', 'heat the air: its density falls', heat, -RATE),
     down: held('▼', 'arrowdown', 'cool the air: its density rises', heat, RATE),
   },
-  plots: [
-    {
-      title: 'Upward speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'stepped', value: ({ rise }) => rise(), exact: speedAt }],
-    },
-    { title: 'Height', y: { label: 'h, px' }, series: [{ label: 'balloon', value: ({ height }) => height() }] },
+  plots: (plot) => [
+    plot('Upward speed', 'v, px/s', { label: 'stepped', value: ({ rise }) => rise(), exact: speedAt }),
+    plot('Height', 'h, px', { label: 'balloon', value: ({ height }) => height() }),
   ],
-  checks: [
-    {
-      label: 'Acceleration at the start, g (ρ/ρ_b − 1)',
-      unit: 'px/s²',
-      exact: lift,
-      tolerance: { relative: 1e-3 },
-      at: { time: 0.1 },
-      measure: ({ world, rise }) => rise() / world.time,
-    },
-    {
-      label: 'Speed after 10 s',
-      unit: 'px/s',
-      exact: 7.0685,
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ rise }) => rise(),
-    },
-    {
-      label: 'Speed after 40 s; the limit is √(a m/k) = 9.5346',
-      unit: 'px/s',
-      exact: (values) => speedAt(40, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 40 },
-      measure: ({ rise }) => rise(),
-    },
-    {
-      label: 'Height after 40 s, (m/k) ln cosh(a t/v)',
-      unit: 'px',
-      exact: (values) => {
-        if (values.drag === 0) return 800 * lift(values);
-        const u = (lift(values) / terminal(values)) * 40;
-        return log((exp(u) + exp(-u)) / 2) / values.drag;
+  checks: ({ at }) => [
+    at(
+      0.1,
+      'Acceleration at the start, g (ρ/ρ_b − 1)',
+      { exact: lift, unit: 'px/s²', relative: 1e-3 },
+      ({ world, rise }) => rise() / world.time,
+    ),
+    at(10, 'Speed after 10 s', { exact: 7.0685, unit: 'px/s', relative: 1e-3 }, ({ rise }) => rise()),
+    at(
+      40,
+      'Speed after 40 s; the limit is √(a m/k) = 9.5346',
+      { exact: (values) => speedAt(40, values), unit: 'px/s', relative: 1e-3 },
+      ({ rise }) => rise(),
+    ),
+    at(
+      40,
+      'Height after 40 s, (m/k) ln cosh(a t/v)',
+      {
+        exact: (values) => {
+          if (values.drag === 0) return 800 * lift(values);
+          const u = (lift(values) / terminal(values)) * 40;
+          return log((exp(u) + exp(-u)) / 2) / values.drag;
+        },
+        unit: 'px',
+        relative: 1e-3,
       },
-      tolerance: { relative: 1e-3 },
-      at: { time: 40 },
-      measure: ({ height }) => height(),
-    },
-    {
-      label: 'Height after 20 s without drag, ½ a t²',
-      unit: 'px',
-      exact: (values) => 200 * lift(values),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 20 },
-      measure: ({ height }) => height(),
-      preset: 'No drag',
-    },
+      ({ height }) => height(),
+    ),
+    at(
+      20,
+      'Height after 20 s without drag, ½ a t²',
+      { exact: (values) => 200 * lift(values), unit: 'px', absolute: 1e-9, preset: 'No drag' },
+      ({ height }) => height(),
+    ),
   ],
   tryThis: [
     'Hold the key that cools until the label says 1.200: the balloon keeps floating up, ever more slowly.',

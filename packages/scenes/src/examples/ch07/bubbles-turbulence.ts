@@ -63,42 +63,34 @@ export default defineExample({
       arrows: [{ label: 'wind', from: { x: 350, y: 250 }, vector: gust, scale: 0.3, color: COLORS.yellow }],
     };
   },
-  plots: [
-    {
-      title: 'Wind and a bubble, along x',
-      y: { label: 'velocity, px/s' },
-      series: [
-        { label: 'wind', value: ({ gust }) => gust().x },
-        { label: 'bubble', value: ({ world, bubbles }) => velocityOf(world, bubbles[0]).x },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Wind and a bubble, along x',
+      'velocity, px/s',
+      { label: 'wind', value: ({ gust }) => gust().x },
+      { label: 'bubble', value: ({ world, bubbles }) => velocityOf(world, bubbles[0]).x },
+    ),
   ],
-  checks: [
-    {
-      label: 'Mean wind along x',
-      unit: 'px/s',
-      exact: 20,
-      tolerance: { absolute: 500 * DEVIATION * STANDARD_ERRORS },
-      at: { until: UNTIL, take: 'mean' },
-      measure: ({ gust }) => gust().x,
-    },
-    {
-      label: 'Mean wind along y',
-      unit: 'px/s',
-      exact: 0,
-      tolerance: { absolute: 500 * DEVIATION * STANDARD_ERRORS },
-      at: { until: UNTIL, take: 'mean' },
-      measure: ({ gust }) => gust().y,
-    },
-    {
-      label: 'Mean square of the wind along y, 500²/3',
-      unit: 'px²/s²',
-      exact: (500 * 500) / 3,
-      // The standard error of a mean square of a uniform distribution is √(4/5N) of it.
-      tolerance: { relative: Math.sqrt(0.8) * STANDARD_ERRORS },
-      at: { until: UNTIL, take: 'mean' },
-      measure: ({ gust }) => gust().y * gust().y,
-    },
+  checks: ({ mean }) => [
+    mean(
+      UNTIL,
+      'Mean wind along x',
+      { exact: 20, unit: 'px/s', absolute: 500 * DEVIATION * STANDARD_ERRORS },
+      ({ gust }) => gust().x,
+    ),
+    mean(
+      UNTIL,
+      'Mean wind along y',
+      { exact: 0, unit: 'px/s', absolute: 500 * DEVIATION * STANDARD_ERRORS },
+      ({ gust }) => gust().y,
+    ),
+    // The standard error of a mean square of a uniform distribution is √(4/5N) of it.
+    mean(
+      UNTIL,
+      'Mean square of the wind along y, 500²/3',
+      { exact: (500 * 500) / 3, unit: 'px²/s²', relative: Math.sqrt(0.8) * STANDARD_ERRORS },
+      ({ gust }) => gust().y * gust().y,
+    ),
   ],
   tryThis: [
     'Choose “A breeze”: without strong gusts the bubbles drift smoothly.',

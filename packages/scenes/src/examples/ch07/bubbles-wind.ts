@@ -69,50 +69,45 @@ export default defineExample({
       arrows: measured.map((body) => velocityArrow(world, body, 1)),
     };
   },
-  plots: [
-    {
-      title: 'Speed along the wind',
-      y: { label: 'v, px/s' },
-      series: RADII.map((r, i) => ({
+  plots: (plot) => [
+    plot(
+      'Speed along the wind',
+      'v, px/s',
+      ...RADII.map((r, i) => ({
         label: `radius ${r}`,
         value: ({ world, measured }: Run) => velocityOf(world, measured[i]).x,
       })),
-    },
-    {
-      title: 'Speed upwards',
-      y: { label: 'v, px/s' },
-      series: RADII.map((r, i) => ({
+    ),
+    plot(
+      'Speed upwards',
+      'v, px/s',
+      ...RADII.map((r, i) => ({
         label: `radius ${r}`,
         value: ({ world, measured }: Run) => -velocityOf(world, measured[i]).y,
       })),
-    },
+    ),
   ],
-  checks: [
-    {
-      label: 'Upward acceleration at first, g (1/0.99 − 1)',
-      unit: 'px/s²',
-      exact: RISE,
-      tolerance: { relative: 0.01 },
-      at: { time: 0.5 },
-      measure: ({ world, measured }) => -velocityOf(world, measured[2]).y / world.time,
-    },
-    {
-      label: 'What the wind is ahead of the bubble of radius 5 after 20 s, w/(1 + k w t/m)',
-      unit: 'px/s',
-      exact: ({ wind }) => wind / (1 + (0.0075 / 5) * Math.abs(wind) * 20),
-      tolerance: { relative: 0.01 },
-      at: { time: 20 },
-      measure: ({ world, wind, measured }) => wind - velocityOf(world, measured[0]).x,
-    },
-    ...RADII.map((r, i) => ({
-      label: `Speed of the bubble of radius ${r} after 60 s of still air; the limit is ${LIMITS[i]}`,
-      unit: 'px/s',
-      exact: rising(LIMITS[i], 60),
-      tolerance: { relative: 0.01 },
-      at: { time: 60 },
-      measure: ({ world, measured }: Run) => -velocityOf(world, measured[i]).y,
-      preset: 'Still air',
-    })),
+  checks: ({ at }) => [
+    at(
+      0.5,
+      'Upward acceleration at first, g (1/0.99 − 1)',
+      { exact: RISE, unit: 'px/s²', relative: 0.01 },
+      ({ world, measured }) => -velocityOf(world, measured[2]).y / world.time,
+    ),
+    at(
+      20,
+      'What the wind is ahead of the bubble of radius 5 after 20 s, w/(1 + k w t/m)',
+      { exact: ({ wind }) => wind / (1 + (0.0075 / 5) * Math.abs(wind) * 20), unit: 'px/s', relative: 0.01 },
+      ({ world, wind, measured }) => wind - velocityOf(world, measured[0]).x,
+    ),
+    ...RADII.map((r, i) =>
+      at(
+        60,
+        `Speed of the bubble of radius ${r} after 60 s of still air; the limit is ${LIMITS[i]}`,
+        { exact: rising(LIMITS[i], 60), unit: 'px/s', relative: 0.01, preset: 'Still air' },
+        ({ world, measured }: Run) => -velocityOf(world, measured[i]).y,
+      ),
+    ),
   ],
   tryThis: [
     'Choose “Still air”: the large bubbles overtake the small ones.',

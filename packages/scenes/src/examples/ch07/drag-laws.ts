@@ -43,41 +43,35 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [
-        {
-          label: 'linear',
-          value: ({ world, linear }) => velocityOf(world, linear).x,
-          exact: (t, { drag, speed }) => speed * exp(-drag * t),
-        },
-        {
-          label: 'quadratic',
-          value: ({ world, square }) => velocityOf(world, square).x,
-          exact: (t, { drag, speed }) => speed / (1 + drag * speed * t),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed',
+      'v, px/s',
+      {
+        label: 'linear',
+        value: ({ world, linear }) => velocityOf(world, linear).x,
+        exact: (t, { drag, speed }) => speed * exp(-drag * t),
+      },
+      {
+        label: 'quadratic',
+        value: ({ world, square }) => velocityOf(world, square).x,
+        exact: (t, { drag, speed }) => speed / (1 + drag * speed * t),
+      },
+    ),
   ],
-  checks: [
-    {
-      label: 'Speed after 5 s of linear drag, v e^(−kt/m)',
-      unit: 'px/s',
-      exact: ({ drag, speed }) => speed * exp(-5 * drag),
-      tolerance: { relative: 1e-4 },
-      at: { time: 5 },
-      measure: ({ world, linear }) => velocityOf(world, linear).x,
-    },
-    {
-      label: 'Speed after 5 s of quadratic drag, v/(1 + k v t/m)',
-      unit: 'px/s',
-      exact: ({ drag, speed }) => speed / (1 + 5 * drag * speed),
-      tolerance: { relative: 1e-4 },
-      at: { time: 5 },
-      measure: ({ world, square }) => velocityOf(world, square).x,
-    },
+  checks: ({ at }) => [
+    at(
+      5,
+      'Speed after 5 s of linear drag, v e^(−kt/m)',
+      { exact: ({ drag, speed }) => speed * exp(-5 * drag), unit: 'px/s', relative: 1e-4 },
+      ({ world, linear }) => velocityOf(world, linear).x,
+    ),
+    at(
+      5,
+      'Speed after 5 s of quadratic drag, v/(1 + k v t/m)',
+      { exact: ({ drag, speed }) => speed / (1 + 5 * drag * speed), unit: 'px/s', relative: 1e-4 },
+      ({ world, square }) => velocityOf(world, square).x,
+    ),
   ],
   tryThis: [
     'Choose “Slow”: at 1 px/s both brake alike at first, and then the quadratic drag is the weaker one.',

@@ -58,22 +58,16 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Depth of the centres',
-      y: { label: 'depth, px' },
-      series: [
-        { label: 'thrown', value: ({ world, ball }) => positionOf(world, ball).y - LEVEL },
-        { label: 'without drag', value: ({ world, bob }) => positionOf(world, bob).y - LEVEL },
-      ],
-    },
-    {
-      title: 'Part under water',
-      y: { label: 'fraction' },
-      series: [{ label: 'thrown', value: ({ immersed, ball }) => immersed(ball) }],
-    },
+  plots: (plot) => [
+    plot(
+      'Depth of the centres',
+      'depth, px',
+      { label: 'thrown', value: ({ world, ball }) => positionOf(world, ball).y - LEVEL },
+      { label: 'without drag', value: ({ world, bob }) => positionOf(world, bob).y - LEVEL },
+    ),
+    plot('Part under water', 'fraction', { label: 'thrown', value: ({ immersed, ball }) => immersed(ball) }),
   ],
-  checks: [
+  checks: ({ mean }) => [
     {
       label: 'Deepest point of the first plunge, from the top',
       unit: 'px',
@@ -89,13 +83,9 @@ export default defineExample({
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
     },
-    {
-      label: 'Depth of rest: two thirds under water',
-      exact: 2 / 3,
-      tolerance: { relative: 0.005 },
-      at: { until: 5 * 8.6, take: 'mean' },
-      measure: ({ immersed, bob }) => immersed(bob),
-    },
+    mean(5 * 8.6, 'Depth of rest: two thirds under water', { exact: 2 / 3, relative: 0.005 }, ({ immersed, bob }) =>
+      immersed(bob),
+    ),
   ],
   tryThis: [
     'Choose “A cork”: it floats high and bobs fast.',

@@ -44,44 +44,32 @@ export default defineExample({
       arrows: [forceArrow(world, glider, 'lift', force, 0.02), velocityArrow(world, glider, 0.08)],
     };
   },
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'y, m' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, glider }) => positionOf(world, glider).y,
-          exact: (t, { wing, speed, mass }) => (mass / wing) * (1 - cos((wing * speed * t) / mass)),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Height', 'y, m', {
+      label: 'stepped',
+      value: ({ world, glider }) => positionOf(world, glider).y,
+      exact: (t, { wing, speed, mass }) => (mass / wing) * (1 - cos((wing * speed * t) / mass)),
+    }),
   ],
-  checks: [
-    {
-      label: 'Lift after 0.5 s, from the curve of the path: k v²',
-      unit: 'N',
-      exact: ({ wing, speed }) => wing * speed * speed,
-      tolerance: { relative: 1e-6 },
-      at: { time: 0.5 },
-      measure: ({ across }) => across(),
-    },
-    {
-      label: 'Speed after 10 s: lift does no work',
-      unit: 'm/s',
-      exact: ({ speed }) => speed,
-      tolerance: { relative: 1e-6 },
-      at: { time: 10 },
-      measure: ({ world, glider }) => speedOf(world, glider),
-    },
-    {
-      label: 'Diameter of the loop, 2 m/k',
-      unit: 'm',
-      exact: ({ wing, mass }) => (2 * mass) / wing,
-      tolerance: { relative: 1e-3 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ world, glider }) => positionOf(world, glider).y,
-    },
+  checks: ({ at, largest }) => [
+    at(
+      0.5,
+      'Lift after 0.5 s, from the curve of the path: k v²',
+      { exact: ({ wing, speed }) => wing * speed * speed, unit: 'N', relative: 1e-6 },
+      ({ across }) => across(),
+    ),
+    at(
+      10,
+      'Speed after 10 s: lift does no work',
+      { exact: ({ speed }) => speed, unit: 'm/s', relative: 1e-6 },
+      ({ world, glider }) => speedOf(world, glider),
+    ),
+    largest(
+      10,
+      'Diameter of the loop, 2 m/k',
+      { exact: ({ wing, mass }) => (2 * mass) / wing, unit: 'm', relative: 1e-3 },
+      ({ world, glider }) => positionOf(world, glider).y,
+    ),
   ],
   tryThis: [
     'Choose “Half as fast”: the loop is the same, and takes twice as long.',

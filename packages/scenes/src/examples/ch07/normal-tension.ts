@@ -80,37 +80,31 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'What slope and string carry',
-      y: { label: 'force, N' },
-      series: [
-        {
-          label: 'slope',
-          value: ({ block, reaction }) => lengthOf(reaction(block)),
-          exact: (_, { degrees, mass }) => mass * GRAVITY * cos((degrees * Math.PI) / 180),
-        },
-        { label: 'string', value: ({ ball, reaction }) => lengthOf(reaction(ball)) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'What slope and string carry',
+      'force, N',
+      {
+        label: 'slope',
+        value: ({ block, reaction }) => lengthOf(reaction(block)),
+        exact: (_, { degrees, mass }) => mass * GRAVITY * cos((degrees * Math.PI) / 180),
+      },
+      { label: 'string', value: ({ ball, reaction }) => lengthOf(reaction(ball)) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Force of the slope, m g cos θ',
-      unit: 'N',
-      exact: ({ degrees, mass }) => mass * GRAVITY * cos((degrees * Math.PI) / 180),
-      tolerance: { relative: 1e-9 },
-      at: { time: 5 },
-      measure: ({ block, reaction }) => lengthOf(reaction(block)),
-    },
-    {
-      label: 'Tension of the string, m g',
-      unit: 'N',
-      exact: ({ mass }) => mass * GRAVITY,
-      tolerance: { relative: 1e-9 },
-      at: { time: 5 },
-      measure: ({ ball, reaction }) => lengthOf(reaction(ball)),
-    },
+  checks: ({ at }) => [
+    at(
+      5,
+      'Force of the slope, m g cos θ',
+      { exact: ({ degrees, mass }) => mass * GRAVITY * cos((degrees * Math.PI) / 180), unit: 'N', relative: 1e-9 },
+      ({ block, reaction }) => lengthOf(reaction(block)),
+    ),
+    at(
+      5,
+      'Tension of the string, m g',
+      { exact: ({ mass }) => mass * GRAVITY, unit: 'N', relative: 1e-9 },
+      ({ ball, reaction }) => lengthOf(reaction(ball)),
+    ),
   ],
   tryThis: ['Choose “Level”: slope and string carry the same.', 'At 60° the slope carries only half of the weight.'],
 });

@@ -83,46 +83,31 @@ export default defineExample({
   },
   actions: { action: { label: 'Open', about: 'open the parachute', key: 'o', press: ({ open }) => open() } },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'stepped', value: ({ world, diver }) => speedOf(world, diver), exact: speedAt }],
-    },
+  plots: (plot) => [
+    plot('Speed', 'v, px/s', { label: 'stepped', value: ({ world, diver }) => speedOf(world, diver), exact: speedAt }),
   ],
-  checks: [
-    {
-      label: 'Speed after 5 s, closed',
-      unit: 'px/s',
-      exact: 27.154,
-      tolerance: { relative: 1e-3 },
-      at: { time: 5 },
-      measure: ({ world, diver }) => speedOf(world, diver),
-    },
-    {
-      label: 'Speed just before it opens',
-      unit: 'px/s',
-      exact: ({ opening }) => closed(opening),
-      tolerance: { relative: 1e-3 },
-      at: { until: 50, take: 'largest' },
-      measure: ({ world, diver }) => speedOf(world, diver),
-    },
-    {
-      label: 'Speed one second after 20 s',
-      unit: 'px/s',
-      exact: (values) => speedAt(21, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 21 },
-      measure: ({ world, diver }) => speedOf(world, diver),
-    },
-    {
-      label: 'Speed with the open parachute',
-      unit: 'px/s',
-      exact: (values) => speedAt(50, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 50 },
-      measure: ({ world, diver }) => speedOf(world, diver),
-    },
+  checks: ({ at, largest }) => [
+    at(5, 'Speed after 5 s, closed', { exact: 27.154, unit: 'px/s', relative: 1e-3 }, ({ world, diver }) =>
+      speedOf(world, diver),
+    ),
+    largest(
+      50,
+      'Speed just before it opens',
+      { exact: ({ opening }) => closed(opening), unit: 'px/s', relative: 1e-3 },
+      ({ world, diver }) => speedOf(world, diver),
+    ),
+    at(
+      21,
+      'Speed one second after 20 s',
+      { exact: (values) => speedAt(21, values), unit: 'px/s', relative: 1e-3 },
+      ({ world, diver }) => speedOf(world, diver),
+    ),
+    at(
+      50,
+      'Speed with the open parachute',
+      { exact: (values) => speedAt(50, values), unit: 'px/s', relative: 1e-3 },
+      ({ world, diver }) => speedOf(world, diver),
+    ),
   ],
   tryThis: [
     'Let the drag grow by 4 instead of 9: the final speed is a half of 30 instead of a third, because it falls with the root of the drag.',

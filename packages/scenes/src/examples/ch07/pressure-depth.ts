@@ -53,36 +53,25 @@ export default defineExample({
       ],
     };
   },
-  plots: [
+  plots: (plot) => [
     {
       title: 'Pressure on the foot',
       x: { label: 'depth, m', value: ({ depth }) => depth() },
       y: { label: 'p, kPa' },
       series: [{ label: 'foot', value: ({ pressure }) => pressure() }],
     },
-    {
-      title: 'Depth of the foot',
-      y: { label: 'depth, m' },
-      series: [{ label: 'foot', value: ({ depth }) => depth() }],
-    },
+    plot('Depth of the foot', 'depth, m', { label: 'foot', value: ({ depth }) => depth() }),
   ],
-  checks: [
-    {
-      label: 'Depth at which it floats, m/(ρ A)',
-      unit: 'm',
-      exact: ({ mass, density }) => (1000 * mass) / density,
-      tolerance: { relative: 1e-6 },
-      at: { time: 40 },
-      measure: ({ depth }) => depth(),
-    },
-    {
-      label: 'Pressure there, above that of the air',
-      unit: 'kPa',
-      exact: 98.1,
-      tolerance: { relative: 1e-6 },
-      at: { time: 40 },
-      measure: ({ pressure }) => pressure(),
-    },
+  checks: ({ at }) => [
+    at(
+      40,
+      'Depth at which it floats, m/(ρ A)',
+      { exact: ({ mass, density }) => (1000 * mass) / density, unit: 'm', relative: 1e-6 },
+      ({ depth }) => depth(),
+    ),
+    at(40, 'Pressure there, above that of the air', { exact: 98.1, unit: 'kPa', relative: 1e-6 }, ({ pressure }) =>
+      pressure(),
+    ),
   ],
   tryThis: [
     'Choose “Five tonnes”: the tube floats at half the depth, where the pressure is half as large.',

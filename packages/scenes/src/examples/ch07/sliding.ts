@@ -66,32 +66,20 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'block', value: ({ world, block }) => speedOf(world, block) }],
-    },
-    { title: 'Way', y: { label: 's, px' }, series: [{ label: 'block', value: ({ distance }) => distance() }] },
+  plots: (plot) => [
+    plot('Speed', 'v, px/s', { label: 'block', value: ({ world, block }) => speedOf(world, block) }),
+    plot('Way', 's, px', { label: 'block', value: ({ distance }) => distance() }),
   ],
-  checks: [
-    {
-      label: 'Speed after 30 s at the limit',
-      unit: 'px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 30 },
-      measure: ({ world, block }) => speedOf(world, block),
-    },
-    {
-      label: 'Acceleration, g (sin θ − μ cos θ)',
-      unit: 'px/s²',
-      exact: slidingAcceleration,
-      tolerance: { relative: 1e-6 },
-      at: { time: 4 },
-      measure: ({ world, block }) => speedOf(world, block) / world.time,
-      preset: 'A little too smooth',
-    },
+  checks: ({ at }) => [
+    at(30, 'Speed after 30 s at the limit', { exact: 0, unit: 'px/s', absolute: 1e-12 }, ({ world, block }) =>
+      speedOf(world, block),
+    ),
+    at(
+      4,
+      'Acceleration, g (sin θ − μ cos θ)',
+      { exact: slidingAcceleration, unit: 'px/s²', relative: 1e-6, preset: 'A little too smooth' },
+      ({ world, block }) => speedOf(world, block) / world.time,
+    ),
     {
       label: 'Time for 412.31 px',
       unit: 's',
@@ -100,15 +88,12 @@ export default defineExample({
       at: { event: ({ distance }) => distance() - LENGTH },
       preset: 'A little too smooth',
     },
-    {
-      label: 'Acceleration without friction, g sin θ',
-      unit: 'px/s²',
-      exact: 2.42536,
-      tolerance: { absolute: 5e-6 },
-      at: { time: 4 },
-      measure: ({ world, block }) => speedOf(world, block) / world.time,
-      preset: 'Ice',
-    },
+    at(
+      4,
+      'Acceleration without friction, g sin θ',
+      { exact: 2.42536, unit: 'px/s²', absolute: 5e-6, preset: 'Ice' },
+      ({ world, block }) => speedOf(world, block) / world.time,
+    ),
   ],
   tryThis: [
     'Make the slope a little steeper than the static friction: the block starts, and does not stop again.',

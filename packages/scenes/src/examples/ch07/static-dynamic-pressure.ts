@@ -90,31 +90,25 @@ export default defineExample({
       ],
     },
   ],
-  checks: [
-    {
-      label: 'Dynamic pressure at the entry, ½ ρ v²',
-      unit: 'Pa',
-      exact: ({ speed }) => 0.5 * DENSITY * speed * speed,
-      tolerance: { relative: 1e-12 },
-      at: { time: 0 },
-      measure: ({ dynamic, first }) => dynamic(first),
-    },
-    {
-      label: 'Largest speed, where the pipe is narrowest',
-      unit: 'm/s',
-      exact: ({ speed, throat }) => (speed * halfWidth(LEFT, throat)) / throat,
-      tolerance: { relative: 1e-3 },
-      at: { until: 6, take: 'largest' },
-      measure: ({ world, first }) => velocityOf(world, first).x,
-    },
-    {
-      label: 'Sum of both pressures after 3 s',
-      unit: 'Pa',
-      exact: ({ speed }) => 1000 + 0.5 * DENSITY * speed * speed,
-      tolerance: { relative: 1e-6 },
-      at: { time: 3 },
-      measure: ({ still, dynamic, first }) => still(first) + dynamic(first),
-    },
+  checks: ({ at, largest }) => [
+    at(
+      0,
+      'Dynamic pressure at the entry, ½ ρ v²',
+      { exact: ({ speed }) => 0.5 * DENSITY * speed * speed, unit: 'Pa', relative: 1e-12 },
+      ({ dynamic, first }) => dynamic(first),
+    ),
+    largest(
+      6,
+      'Largest speed, where the pipe is narrowest',
+      { exact: ({ speed, throat }) => (speed * halfWidth(LEFT, throat)) / throat, unit: 'm/s', relative: 1e-3 },
+      ({ world, first }) => velocityOf(world, first).x,
+    ),
+    at(
+      3,
+      'Sum of both pressures after 3 s',
+      { exact: ({ speed }) => 1000 + 0.5 * DENSITY * speed * speed, unit: 'Pa', relative: 1e-6 },
+      ({ still, dynamic, first }) => still(first) + dynamic(first),
+    ),
   ],
   tryThis: [
     'Make the throat still narrower, 3 m: the air is more than three times as fast there as at the entry.',

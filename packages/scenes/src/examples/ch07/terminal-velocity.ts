@@ -52,44 +52,38 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [
-        {
-          label: 'linear',
-          value: ({ world, slow }) => velocityOf(world, slow).y,
-          exact: (t, { linear, mass }) => ((mass * GRAVITY) / linear) * (1 - exp((-linear * t) / mass)),
+  plots: (plot) => [
+    plot(
+      'Speed',
+      'v, px/s',
+      {
+        label: 'linear',
+        value: ({ world, slow }) => velocityOf(world, slow).y,
+        exact: (t, { linear, mass }) => ((mass * GRAVITY) / linear) * (1 - exp((-linear * t) / mass)),
+      },
+      {
+        label: 'quadratic',
+        value: ({ world, fast }) => velocityOf(world, fast).y,
+        exact: (t, { quadratic, mass }) => {
+          const limit = Math.sqrt((mass * GRAVITY) / quadratic);
+          return limit * tanh((GRAVITY * t) / limit);
         },
-        {
-          label: 'quadratic',
-          value: ({ world, fast }) => velocityOf(world, fast).y,
-          exact: (t, { quadratic, mass }) => {
-            const limit = Math.sqrt((mass * GRAVITY) / quadratic);
-            return limit * tanh((GRAVITY * t) / limit);
-          },
-        },
-      ],
-    },
+      },
+    ),
   ],
-  checks: [
-    {
-      label: 'Speed after 20 s of linear drag; the limit is m g/k = 20',
-      unit: 'px/s',
-      exact: 20,
-      tolerance: { relative: 1e-3 },
-      at: { time: 20 },
-      measure: ({ world, slow }) => velocityOf(world, slow).y,
-    },
-    {
-      label: 'Speed after 20 s of quadratic drag; the limit is √(m g/k) = 31.62',
-      unit: 'px/s',
-      exact: 31.62,
-      tolerance: { relative: 1e-3 },
-      at: { time: 20 },
-      measure: ({ world, fast }) => velocityOf(world, fast).y,
-    },
+  checks: ({ at }) => [
+    at(
+      20,
+      'Speed after 20 s of linear drag; the limit is m g/k = 20',
+      { exact: 20, unit: 'px/s', relative: 1e-3 },
+      ({ world, slow }) => velocityOf(world, slow).y,
+    ),
+    at(
+      20,
+      'Speed after 20 s of quadratic drag; the limit is √(m g/k) = 31.62',
+      { exact: 31.62, unit: 'px/s', relative: 1e-3 },
+      ({ world, fast }) => velocityOf(world, fast).y,
+    ),
   ],
   tryThis: [
     'Choose “Four times as heavy”: the linear limit becomes four times as large, the quadratic one twice.',

@@ -48,27 +48,21 @@ export default defineExample({
       trails: leaves.slice(0, 20).map((body) => ({ body, length: 250, interval: 4 })),
     };
   },
-  plots: [
-    { title: 'Energy', y: { label: 'change, fraction' }, series: [{ label: 'all', value: ({ change }) => change() }] },
-  ],
-  checks: [
-    {
-      label: 'Acceleration just inside the rim, outwards: k r',
-      unit: 'px/s²',
-      exact: ({ strength }) => strength * RADIUS,
-      tolerance: { relative: 0.002 },
-      at: { time: 1 / 240 },
-      measure: ({ world, inside }) => velocityOf(world, inside).x / world.time,
-    },
-    {
-      label: 'Acceleration just outside, inwards',
-      unit: 'px/s²',
-      exact: ({ strength }) => -strength * RADIUS,
-      // (r₀/r)⁴ r is by 3 · 0.001 less than r₀ there.
-      tolerance: { relative: 0.004 },
-      at: { time: 1 / 240 },
-      measure: ({ world, outside }) => velocityOf(world, outside).x / world.time,
-    },
+  plots: (plot) => [plot('Energy', 'change, fraction', { label: 'all', value: ({ change }) => change() })],
+  checks: ({ at }) => [
+    at(
+      1 / 240,
+      'Acceleration just inside the rim, outwards: k r',
+      { exact: ({ strength }) => strength * RADIUS, unit: 'px/s²', relative: 0.002 },
+      ({ world, inside }) => velocityOf(world, inside).x / world.time,
+    ),
+    // (r₀/r)⁴ r is by 3 · 0.001 less than r₀ there.
+    at(
+      1 / 240,
+      'Acceleration just outside, inwards',
+      { exact: ({ strength }) => -strength * RADIUS, unit: 'px/s²', relative: 0.004 },
+      ({ world, outside }) => velocityOf(world, outside).x / world.time,
+    ),
   ],
   tryThis: [
     'Choose “All from rest”: every leaf swings on a straight line through the rim.',

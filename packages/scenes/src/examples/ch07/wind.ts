@@ -46,37 +46,31 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [
-        {
-          label: 'from rest',
-          value: ({ world, still }) => velocityOf(world, still).x,
-          exact: (t, { wind, drag }) => wind - wind / (1 + drag * wind * t),
-        },
-        { label: 'with the wind', value: ({ world, carried }) => velocityOf(world, carried).x },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed',
+      'v, px/s',
+      {
+        label: 'from rest',
+        value: ({ world, still }) => velocityOf(world, still).x,
+        exact: (t, { wind, drag }) => wind - wind / (1 + drag * wind * t),
+      },
+      { label: 'with the wind', value: ({ world, carried }) => velocityOf(world, carried).x },
+    ),
   ],
-  checks: [
-    {
-      label: 'What the wind is ahead of the ball after 30 s, w/(1 + k w t/m)',
-      unit: 'px/s',
-      exact: ({ wind, drag }) => wind / (1 + drag * wind * 30),
-      tolerance: { relative: 1e-4 },
-      at: { time: 30 },
-      measure: ({ world, still, carried }) => velocityOf(world, carried).x - velocityOf(world, still).x,
-    },
-    {
-      label: 'Speed of the ball that moves with the wind after 60 s',
-      unit: 'px/s',
-      exact: ({ wind }) => wind,
-      tolerance: { absolute: 0 },
-      at: { time: 60 },
-      measure: ({ world, carried }) => velocityOf(world, carried).x,
-    },
+  checks: ({ at }) => [
+    at(
+      30,
+      'What the wind is ahead of the ball after 30 s, w/(1 + k w t/m)',
+      { exact: ({ wind, drag }) => wind / (1 + drag * wind * 30), unit: 'px/s', relative: 1e-4 },
+      ({ world, still, carried }) => velocityOf(world, carried).x - velocityOf(world, still).x,
+    ),
+    at(
+      60,
+      'Speed of the ball that moves with the wind after 60 s',
+      { exact: ({ wind }) => wind, unit: 'px/s', absolute: 0 },
+      ({ world, carried }) => velocityOf(world, carried).x,
+    ),
   ],
   tryThis: [
     'Choose “A feather”: it has nearly the speed of the wind after half a minute.',

@@ -44,25 +44,21 @@ export default defineExample({
       arrows: [velocityArrow(world, far, 0.3), velocityArrow(world, near, 0.3)],
     };
   },
-  plots: [
-    {
-      title: 'Position',
-      y: { label: 'x, px' },
-      series: [
-        { label: 'far', value: ({ world, far }) => positionOf(world, far).x },
-        { label: 'near', value: ({ world, near }) => positionOf(world, near).x },
-      ],
-    },
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'far', value: ({ world, far }) => speedOf(world, far) },
-        { label: 'near', value: ({ world, near }) => speedOf(world, near) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Position',
+      'x, px',
+      { label: 'far', value: ({ world, far }) => positionOf(world, far).x },
+      { label: 'near', value: ({ world, near }) => positionOf(world, near).x },
+    ),
+    plot(
+      'Speed',
+      'v, px/s',
+      { label: 'far', value: ({ world, far }) => speedOf(world, far) },
+      { label: 'near', value: ({ world, near }) => speedOf(world, near) },
+    ),
   ],
-  checks: [
+  checks: ({ largest }) => [
     {
       label: 'Period of the far ball, 2π √(m/k)',
       unit: 's',
@@ -77,18 +73,16 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, near }) => positionOf(world, near).x - CENTRE.x, from: 1, to: 2 },
     },
-    {
-      label: 'How far the ball passes from the middle',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      // Distance of the straight line from the start to the ball from the middle, which is the tip of both.
-      at: { until: 18, take: 'largest' },
-      measure({ world, far }) {
+    // Distance of the straight line from the start to the ball from the middle, which is the tip of both.
+    largest(
+      18,
+      'How far the ball passes from the middle',
+      { exact: 0, unit: 'px', absolute: 1e-9 },
+      ({ world, far }) => {
         const { x, y } = positionOf(world, far);
         return Math.abs((x - CENTRE.x) * -200 - (y - CENTRE.y) * -250) / distanceBetween(CENTRE, { x: 100, y: 50 });
       },
-    },
+    ),
     {
       label: 'Period on the ellipse',
       unit: 's',

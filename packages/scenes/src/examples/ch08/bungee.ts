@@ -71,45 +71,32 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Depth below the bridge',
-      y: { label: 'depth, px' },
-      series: [{ label: 'jumper', value: ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y }],
-    },
-    {
-      title: 'Speed downwards',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'jumper', value: ({ world, jumper }) => velocityOf(world, jumper).y }],
-    },
+  plots: (plot) => [
+    plot('Depth below the bridge', 'depth, px', {
+      label: 'jumper',
+      value: ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y,
+    }),
+    plot('Speed downwards', 'v, px/s', { label: 'jumper', value: ({ world, jumper }) => velocityOf(world, jumper).y }),
   ],
-  checks: [
-    {
-      label: 'Lowest point, from the top',
-      unit: 'px',
-      exact: 356.1,
-      tolerance: { relative: 0.005 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ world, jumper }) => positionOf(world, jumper).y,
-    },
-    {
-      label: 'Lowest point without drag, from the energy',
-      unit: 'px',
-      exact: lowest,
-      tolerance: { relative: 0.005 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ world, jumper }) => positionOf(world, jumper).y,
-      preset: 'No drag',
-    },
-    {
-      label: 'Way in the first 3 s, ½ g t²: the slack cord does not push',
-      unit: 'px',
-      exact: 90,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 3 },
-      measure: ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y,
-      preset: 'No drag',
-    },
+  checks: ({ at, largest }) => [
+    largest(
+      12,
+      'Lowest point, from the top',
+      { exact: 356.1, unit: 'px', relative: 0.005 },
+      ({ world, jumper }) => positionOf(world, jumper).y,
+    ),
+    largest(
+      12,
+      'Lowest point without drag, from the energy',
+      { exact: lowest, unit: 'px', relative: 0.005, preset: 'No drag' },
+      ({ world, jumper }) => positionOf(world, jumper).y,
+    ),
+    at(
+      3,
+      'Way in the first 3 s, ½ g t²: the slack cord does not push',
+      { exact: 90, unit: 'px', absolute: 1e-9, preset: 'No drag' },
+      ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y,
+    ),
     {
       label: 'Time until the cord is taut, √(2L/g)',
       unit: 's',
@@ -127,15 +114,12 @@ export default defineExample({
       measure: ({ world, jumper }) => velocityOf(world, jumper).y,
       preset: 'No drag',
     },
-    {
-      label: 'Where the jumper comes to rest, 50 + L + mg/k',
-      unit: 'px',
-      exact: 222,
-      tolerance: { relative: 0.005 },
-      at: { time: 60 },
-      measure: ({ world, jumper }) => positionOf(world, jumper).y,
-      preset: 'In thick oil',
-    },
+    at(
+      60,
+      'Where the jumper comes to rest, 50 + L + mg/k',
+      { exact: 222, unit: 'px', relative: 0.005, preset: 'In thick oil' },
+      ({ world, jumper }) => positionOf(world, jumper).y,
+    ),
   ],
   tryThis: [
     'Take a heavier jumper without a shorter cord: at 110 kg the feet get wet.',

@@ -78,42 +78,37 @@ export default defineExample({
       lines: RESTS.map((y) => ({ from: { x: 340, y }, to: { x: 360, y }, color: COLORS.grey, width: 1 })),
     };
   },
-  plots: [
-    {
-      title: 'Heights',
-      y: { label: 'y, px' },
-      series: [0, 2, 5].map((i) => ({
+  plots: (plot) => [
+    plot(
+      'Heights',
+      'y, px',
+      ...[0, 2, 5].map((i) => ({
         label: `ball ${i + 1}`,
         value: ({ world, balls }: Run) => positionOf(world, balls[i]).y,
       })),
-    },
-    {
-      title: 'Sideways',
-      y: { label: 'x, px' },
-      series: [
-        { label: 'support', value: ({ world, support }: Run) => positionOf(world, support).x },
-        { label: 'last ball', value: ({ world, balls }: Run) => positionOf(world, balls[5]).x },
-      ],
-    },
+    ),
+    plot(
+      'Sideways',
+      'x, px',
+      { label: 'support', value: ({ world, support }: Run) => positionOf(world, support).x },
+      { label: 'last ball', value: ({ world, balls }: Run) => positionOf(world, balls[5]).x },
+    ),
   ],
-  checks: [
-    {
-      label: 'Support after 10 s, 350 + 100 sin t',
-      unit: 'px',
-      exact: ({ swing }) => SUPPORT.x + swing * sin(10),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ world, support }: Run) => positionOf(world, support).x,
-    },
-    ...RESTS.map((rest, i) => ({
-      label: `Height of ball ${i + 1} at rest`,
-      unit: 'px',
-      exact: rest,
-      tolerance: { absolute: 0.01 },
-      at: { time: 80 },
-      measure: ({ world, balls }: Run) => positionOf(world, balls[i]).y,
-      preset: 'Support at rest',
-    })),
+  checks: ({ at }) => [
+    at(
+      10,
+      'Support after 10 s, 350 + 100 sin t',
+      { exact: ({ swing }) => SUPPORT.x + swing * sin(10), unit: 'px', absolute: 1e-9 },
+      ({ world, support }: Run) => positionOf(world, support).x,
+    ),
+    ...RESTS.map((rest, i) =>
+      at(
+        80,
+        `Height of ball ${i + 1} at rest`,
+        { exact: rest, unit: 'px', absolute: 0.01, preset: 'Support at rest' },
+        ({ world, balls }: Run) => positionOf(world, balls[i]).y,
+      ),
+    ),
     ...MODES.map((mode) => ({
       label: `Period of mode ${mode}`,
       unit: 's',

@@ -57,58 +57,32 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.15)],
     };
   },
-  plots: [
-    {
-      title: 'Along x',
-      y: { label: 'x, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x,
-          exact: (t, values) => exactAt(t, values).x - CENTRE.x,
-        },
-      ],
-    },
-    {
-      title: 'Along y',
-      y: { label: 'y, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => positionOf(world, ball).y - CENTRE.y,
-          exact: (t, values) => exactAt(t, values).y - CENTRE.y,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Along x', 'x, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x,
+      exact: (t, values) => exactAt(t, values).x - CENTRE.x,
+    }),
+    plot('Along y', 'y, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).y - CENTRE.y,
+      exact: (t, values) => exactAt(t, values).y - CENTRE.y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Largest error',
-      unit: 'px',
-      exact: 5.19,
-      tolerance: { relative: 0.01 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ error }) => error(),
-    },
-    {
-      label: 'Largest error with steps half as long: half',
-      unit: 'px',
-      exact: 5.19 / 2,
-      tolerance: { relative: 0.02 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ error }) => error(),
-      preset: '120 steps a second',
-    },
-    {
-      label: 'Largest error',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-5 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ error }) => error(),
-      integrator: rungeKutta4,
-      preset: '120 steps a second',
-    },
+  checks: ({ largest }) => [
+    largest(20, 'Largest error', { exact: 5.19, unit: 'px', relative: 0.01 }, ({ error }) => error()),
+    largest(
+      20,
+      'Largest error with steps half as long: half',
+      { exact: 5.19 / 2, unit: 'px', relative: 0.02, preset: '120 steps a second' },
+      ({ error }) => error(),
+    ),
+    largest(
+      20,
+      'Largest error',
+      { exact: 0, unit: 'px', absolute: 1e-5, integrator: rungeKutta4, preset: '120 steps a second' },
+      ({ error }) => error(),
+    ),
   ],
   tryThis: [
     'Change the integrator to Runge-Kutta 4: ball and ring stay together.',

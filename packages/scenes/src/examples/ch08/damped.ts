@@ -49,18 +49,12 @@ export default defineExample({
       arrows: [{ label: 'v', from: at, vector: () => velocityOf(world, ball), scale: 0.15, color: COLORS.green }],
     };
   },
-  plots: [
-    {
-      title: 'Displacement',
-      y: { label: 'x, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
-          exact: (t, values) => exactX(t, values) - CENTRE,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Displacement', 'x, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+      exact: (t, values) => exactX(t, values) - CENTRE,
+    }),
     {
       title: 'Velocity against displacement',
       x: { label: 'x, px', value: ({ world, ball }) => positionOf(world, ball).x - CENTRE },
@@ -68,7 +62,7 @@ export default defineExample({
       series: [{ label: 'path', value: ({ world, ball }) => velocityOf(world, ball).x }],
     },
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Period, 2π/√(k/m − c²/4m²)',
       unit: 's',
@@ -76,14 +70,12 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, ball }) => positionOf(world, ball).x - CENTRE, from: 1, to: 2 },
     },
-    {
-      label: 'Displacement after 10 s',
-      unit: 'px',
-      exact: (values) => exactX(10, values) - CENTRE,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
-    },
+    at(
+      10,
+      'Displacement after 10 s',
+      { exact: (values) => exactX(10, values) - CENTRE, unit: 'px', absolute: 1e-3 },
+      ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+    ),
     {
       label: 'Amplitude after one period, exp(−ζ ω T) of the first',
       exact: 0.607569,
@@ -91,24 +83,18 @@ export default defineExample({
       at: { event: ({ world, ball }) => velocityOf(world, ball).x },
       measure: ({ world, ball }) => (positionOf(world, ball).x - CENTRE) / -AMPLITUDE,
     },
-    {
-      label: 'Largest displacement to the right: it does not swing through',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
-      preset: 'Critical damping',
-    },
-    {
-      label: 'Displacement after 10 s of strong damping: it creeps',
-      unit: 'px',
-      exact: (values) => exactX(10, values) - CENTRE,
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => positionOf(world, ball).x - CENTRE,
-      preset: 'Strong damping',
-    },
+    largest(
+      20,
+      'Largest displacement to the right: it does not swing through',
+      { exact: 0, unit: 'px', absolute: 1e-9, preset: 'Critical damping' },
+      ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+    ),
+    at(
+      10,
+      'Displacement after 10 s of strong damping: it creeps',
+      { exact: (values) => exactX(10, values) - CENTRE, unit: 'px', relative: 1e-3, preset: 'Strong damping' },
+      ({ world, ball }) => positionOf(world, ball).x - CENTRE,
+    ),
   ],
   tryThis: [
     'Choose “Critical damping”, as in a good door closer: the ball comes to rest soonest without swinging through.',

@@ -73,22 +73,19 @@ export default defineExample({
       labels: [{ at: { x: 90, y: rest - 10 }, text: 'rest', color: COLORS.grey }],
     };
   },
-  plots: [
-    {
-      title: 'Height of the figures',
-      y: { label: 'y, px' },
-      series: [
-        { label: 'dragged', value: ({ world, figure }) => positionOf(world, figure).y },
-        { label: 'without drag', value: ({ world, free }) => positionOf(world, free).y },
-      ],
-    },
-    {
-      title: 'Length of the spring',
-      y: { label: 'length, px' },
-      series: [{ label: 'dragged', value: ({ world, figure }) => distanceBetween(positionOf(world, figure), ANCHOR) }],
-    },
+  plots: (plot) => [
+    plot(
+      'Height of the figures',
+      'y, px',
+      { label: 'dragged', value: ({ world, figure }) => positionOf(world, figure).y },
+      { label: 'without drag', value: ({ world, free }) => positionOf(world, free).y },
+    ),
+    plot('Length of the spring', 'length, px', {
+      label: 'dragged',
+      value: ({ world, figure }) => distanceBetween(positionOf(world, figure), ANCHOR),
+    }),
   ],
-  checks: [
+  checks: ({ at, mean }) => [
     {
       label: 'Period of a small bounce, 2π √(m/k)',
       unit: 's',
@@ -105,22 +102,18 @@ export default defineExample({
       at: { event: ({ world, free }) => positionOf(world, free).x - OTHER.x, from: 1, to: 2 },
       preset: 'A small swing',
     },
-    {
-      label: 'Height of rest, 50 + L + mg/k: the mean of six bounces',
-      unit: 'px',
-      exact: 270,
-      tolerance: { relative: 1e-3 },
-      at: { until: 12 * Math.PI, take: 'mean' },
-      measure: ({ world, free }) => positionOf(world, free).y,
-    },
-    {
-      label: 'Height of the dragged figure after 60 s',
-      unit: 'px',
-      exact: 270,
-      tolerance: { relative: 0.005 },
-      at: { time: 60 },
-      measure: ({ world, figure }) => positionOf(world, figure).y,
-    },
+    mean(
+      12 * Math.PI,
+      'Height of rest, 50 + L + mg/k: the mean of six bounces',
+      { exact: 270, unit: 'px', relative: 1e-3 },
+      ({ world, free }) => positionOf(world, free).y,
+    ),
+    at(
+      60,
+      'Height of the dragged figure after 60 s',
+      { exact: 270, unit: 'px', relative: 0.005 },
+      ({ world, figure }) => positionOf(world, figure).y,
+    ),
   ],
   tryThis: [
     'Pull the figure far to the side and release it: it swings about three times more slowly than it bounces.',

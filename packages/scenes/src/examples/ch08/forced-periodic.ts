@@ -76,36 +76,26 @@ export default defineExample({
       arrows: [forceArrow(world, ball, 'push', force, 0.3)],
     };
   },
-  plots: [
-    {
-      title: 'Displacement',
-      y: { label: 'x, px' },
-      series: [{ label: 'ball', value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x }],
-    },
-    {
-      title: 'Amplitude',
-      y: { label: 'amplitude, px' },
-      series: [{ label: 'now', value: ({ amplitude }) => amplitude(), exact: (_, values) => steady(values) }],
-    },
+  plots: (plot) => [
+    plot('Displacement', 'x, px', { label: 'ball', value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x }),
+    plot('Amplitude', 'amplitude, px', {
+      label: 'now',
+      value: ({ amplitude }) => amplitude(),
+      exact: (_, values) => steady(values),
+    }),
   ],
-  checks: [
-    {
-      label: 'Amplitude after 60 s at twice the own frequency',
-      unit: 'px',
-      exact: 9.454,
-      tolerance: { relative: 1e-3 },
-      at: { time: 60 },
-      measure: ({ amplitude }) => amplitude(),
-    },
-    ...OMEGAS.map(([preset, , exact]) => ({
-      label: `${preset}: amplitude after 60 s`,
-      unit: 'px',
-      exact,
-      tolerance: { relative: 1e-3 },
-      at: { time: 60 },
-      measure: ({ amplitude }: Run) => amplitude(),
-      preset,
-    })),
+  checks: ({ at }) => [
+    at(
+      60,
+      'Amplitude after 60 s at twice the own frequency',
+      { exact: 9.454, unit: 'px', relative: 1e-3 },
+      ({ amplitude }) => amplitude(),
+    ),
+    ...OMEGAS.map(([preset, , exact]) =>
+      at(60, `${preset}: amplitude after 60 s`, { exact, unit: 'px', relative: 1e-3, preset }, ({ amplitude }: Run) =>
+        amplitude(),
+      ),
+    ),
   ],
   tryThis: [
     'Move the frequency slowly from 1 to 6: near 3.1 the swing becomes huge.',

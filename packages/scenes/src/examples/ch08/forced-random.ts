@@ -70,43 +70,28 @@ export default defineExample({
       labels: [{ at: { x: centre, y: 37 }, text: 'the green lines: root mean square', color: COLORS.green }],
     };
   },
-  plots: [
-    {
-      title: 'Root mean square of the displacement',
-      y: { label: 'px' },
-      series: [
-        {
-          label: 'of 2000 balls',
-          value: ({ rms }) => rms(),
-          exact: (_, { noise }) => Math.sqrt(noise / (2 * STIFFNESS * DAMPING)),
-        },
-      ],
-    },
-    {
-      title: 'One ball',
-      y: { label: 'x, px' },
-      series: [{ label: 'ball', value: ({ world, balls }) => positionOf(world, balls[0]).x }],
-    },
+  plots: (plot) => [
+    plot('Root mean square of the displacement', 'px', {
+      label: 'of 2000 balls',
+      value: ({ rms }) => rms(),
+      exact: (_, { noise }) => Math.sqrt(noise / (2 * STIFFNESS * DAMPING)),
+    }),
+    plot('One ball', 'x, px', { label: 'ball', value: ({ world, balls }) => positionOf(world, balls[0]).x }),
   ],
-  checks: [
-    {
-      label: 'Root mean square, √(S/2kc)',
-      unit: 'px',
-      exact: 11.785,
-      // Three and a half standard errors, 1/√(2 N) each; what is left of the start, e^(−c t), is far smaller.
-      tolerance: { relative: 3.5 / Math.sqrt(2 * COUNT) + exp(-DAMPING * TIME) },
-      at: { time: TIME },
-      measure: ({ rms }) => rms(),
-    },
-    {
-      label: 'Mean displacement, F/k',
-      unit: 'px',
-      exact: 50,
-      tolerance: { absolute: (3.5 * 11.785) / Math.sqrt(COUNT) },
-      at: { time: TIME },
-      measure: ({ mean }) => mean(),
-      preset: 'Pushed to one side',
-    },
+  checks: ({ at }) => [
+    // Three and a half standard errors, 1/√(2 N) each; what is left of the start, e^(−c t), is far smaller.
+    at(
+      TIME,
+      'Root mean square, √(S/2kc)',
+      { exact: 11.785, unit: 'px', relative: 3.5 / Math.sqrt(2 * COUNT) + exp(-DAMPING * TIME) },
+      ({ rms }) => rms(),
+    ),
+    at(
+      TIME,
+      'Mean displacement, F/k',
+      { exact: 50, unit: 'px', absolute: (3.5 * 11.785) / Math.sqrt(COUNT), preset: 'Pushed to one side' },
+      ({ mean }) => mean(),
+    ),
   ],
   tryThis: [
     'Quadruple the power of the noise: the balls spread twice as far.',

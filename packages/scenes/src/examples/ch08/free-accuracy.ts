@@ -53,67 +53,47 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.4)],
     };
   },
-  plots: [
-    {
-      title: 'Error',
-      y: { label: 'stepped − exact, px' },
-      series: [
-        { label: 'x', value: ({ errorX }) => errorX() },
-        { label: 'y', value: ({ errorY }) => errorY() },
-      ],
-    },
-    {
-      title: 'Position',
-      y: { label: 'x, px' },
-      series: [{ label: 'stepped', value: ({ world, ball }) => positionOf(world, ball).x, exact: (t) => exact(t).x }],
-    },
+  plots: (plot) => [
+    plot(
+      'Error',
+      'stepped − exact, px',
+      { label: 'x', value: ({ errorX }) => errorX() },
+      { label: 'y', value: ({ errorY }) => errorY() },
+    ),
+    plot('Position', 'x, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).x,
+      exact: (t) => exact(t).x,
+    }),
   ],
-  checks: [
-    {
-      label: 'Largest error',
-      unit: 'px',
-      exact: 2.079,
-      tolerance: { absolute: 5e-4 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
-    },
-    {
-      label: 'Largest error with steps half as long',
-      unit: 'px',
-      exact: 1.041,
-      tolerance: { absolute: 5e-4 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
-      preset: '120 steps a second',
-    },
-    {
-      label: 'Largest error',
-      unit: 'px',
-      exact: 0.0528,
-      tolerance: { absolute: 5e-5 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
-      integrator: velocityVerlet,
-    },
-    {
-      label: 'Largest error with steps half as long',
-      unit: 'px',
-      exact: 0.0132,
-      tolerance: { absolute: 5e-5 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
-      integrator: velocityVerlet,
-      preset: '120 steps a second',
-    },
-    {
-      label: 'Largest error',
-      unit: 'px',
-      exact: 3e-6,
-      tolerance: { absolute: 1e-6 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
-      integrator: rungeKutta4,
-    },
+  checks: ({ largest }) => [
+    largest(20, 'Largest error', { exact: 2.079, unit: 'px', absolute: 5e-4 }, ({ errorX, errorY }) =>
+      Math.max(Math.abs(errorX()), Math.abs(errorY())),
+    ),
+    largest(
+      20,
+      'Largest error with steps half as long',
+      { exact: 1.041, unit: 'px', absolute: 5e-4, preset: '120 steps a second' },
+      ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
+    ),
+    largest(
+      20,
+      'Largest error',
+      { exact: 0.0528, unit: 'px', absolute: 5e-5, integrator: velocityVerlet },
+      ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
+    ),
+    largest(
+      20,
+      'Largest error with steps half as long',
+      { exact: 0.0132, unit: 'px', absolute: 5e-5, integrator: velocityVerlet, preset: '120 steps a second' },
+      ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
+    ),
+    largest(
+      20,
+      'Largest error',
+      { exact: 3e-6, unit: 'px', absolute: 1e-6, integrator: rungeKutta4 },
+      ({ errorX, errorY }) => Math.max(Math.abs(errorX()), Math.abs(errorY())),
+    ),
   ],
   tryThis: [
     'Choose “10 steps a second”: now you see the ball beside its ring.',

@@ -48,36 +48,20 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.4)],
     };
   },
-  plots: [
-    {
-      title: 'Displacement',
-      y: { label: 'x, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x,
-          exact: (t, { stiffness, amplitude }) => -amplitude * cos(Math.sqrt(stiffness) * t),
-        },
-      ],
-    },
-    {
-      title: 'Error of the energy',
-      y: { label: 'fraction' },
-      series: [{ label: 'error', value: ({ energyError }) => energyError() }],
-    },
-    {
-      title: 'Velocity',
-      y: { label: 'v, px/s' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => velocityOf(world, ball).x,
-          exact: (t, { stiffness, amplitude }) => amplitude * Math.sqrt(stiffness) * sin(Math.sqrt(stiffness) * t),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Displacement', 'x, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x,
+      exact: (t, { stiffness, amplitude }) => -amplitude * cos(Math.sqrt(stiffness) * t),
+    }),
+    plot('Error of the energy', 'fraction', { label: 'error', value: ({ energyError }) => energyError() }),
+    plot('Velocity', 'v, px/s', {
+      label: 'stepped',
+      value: ({ world, ball }) => velocityOf(world, ball).x,
+      exact: (t, { stiffness, amplitude }) => amplitude * Math.sqrt(stiffness) * sin(Math.sqrt(stiffness) * t),
+    }),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Period of this scheme, π dt/arcsin(ω dt/2)',
       unit: 's',
@@ -86,29 +70,21 @@ export default defineExample({
       at: { event: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x, from: 1, to: 3 },
       measure: ({ world }) => world.time / 2,
     },
-    {
-      label: 'Largest error of the energy, ½ ω dt',
-      exact: DT / 2,
-      tolerance: { relative: 0.02 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ energyError }) => Math.abs(energyError()),
-    },
-    {
-      label: 'Largest error of the energy, ω² dt²/4',
-      exact: (DT * DT) / 4,
-      tolerance: { relative: 0.02 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ energyError }) => Math.abs(energyError()),
-      integrator: velocityVerlet,
-    },
-    {
-      label: 'Energy lost in 20 s, ω⁶ dt⁵ t/72',
-      exact: (20 * DT * DT * DT * DT * DT) / 72,
-      tolerance: { relative: 0.02 },
-      at: { time: 20 },
-      measure: ({ energyError }) => -energyError(),
-      integrator: rungeKutta4,
-    },
+    largest(20, 'Largest error of the energy, ½ ω dt', { exact: DT / 2, relative: 0.02 }, ({ energyError }) =>
+      Math.abs(energyError()),
+    ),
+    largest(
+      20,
+      'Largest error of the energy, ω² dt²/4',
+      { exact: (DT * DT) / 4, relative: 0.02, integrator: velocityVerlet },
+      ({ energyError }) => Math.abs(energyError()),
+    ),
+    at(
+      20,
+      'Energy lost in 20 s, ω⁶ dt⁵ t/72',
+      { exact: (20 * DT * DT * DT * DT * DT) / 72, relative: 0.02, integrator: rungeKutta4 },
+      ({ energyError }) => -energyError(),
+    ),
   ],
   tryThis: [
     'Change the integrator to explicit Euler: the ball swings further and further.',

@@ -48,23 +48,19 @@ export default defineExample({
     };
   },
   plots: [],
-  checks: [
-    {
-      label: 'Centre of mass over the middle of the body, (R + r) r²/(R² + r²)',
-      unit: 'px',
-      exact: ({ head }) => ((BODY + head) * head * head) / (BODY * BODY + head * head),
-      tolerance: { relative: 1e-12 },
-      at: { time: 0 },
-      measure: ({ centre }) => centre,
-    },
-    {
-      label: 'Height of the centre of mass after 5 s of somersaults',
-      unit: 'px',
-      exact: 6,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 5 },
-      measure: ({ place }) => place().y,
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'Centre of mass over the middle of the body, (R + r) r²/(R² + r²)',
+      { exact: ({ head }) => ((BODY + head) * head * head) / (BODY * BODY + head * head), unit: 'px', relative: 1e-12 },
+      ({ centre }) => centre,
+    ),
+    at(
+      5,
+      'Height of the centre of mass after 5 s of somersaults',
+      { exact: 6, unit: 'px', absolute: 1e-9 },
+      ({ place }) => place().y,
+    ),
   ],
   tryThis: ['Choose “Big head”: now the centre of mass is at his neck.'],
 });

@@ -43,25 +43,23 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.4), forceArrow(world, ball, 'a', pull, 0.12)],
     };
   },
-  plots: [
-    {
-      title: 'Place',
-      y: { label: 'px' },
-      series: [
-        {
-          label: 'x',
-          value: ({ world, ball }) => positionOf(world, ball).x,
-          exact: (t, { omega, radius }) => radius * cos(omega * t),
-        },
-        {
-          label: 'y',
-          value: ({ world, ball }) => positionOf(world, ball).y,
-          exact: (t, { omega, radius }) => radius * sin(omega * t),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Place',
+      'px',
+      {
+        label: 'x',
+        value: ({ world, ball }) => positionOf(world, ball).x,
+        exact: (t, { omega, radius }) => radius * cos(omega * t),
+      },
+      {
+        label: 'y',
+        value: ({ world, ball }) => positionOf(world, ball).y,
+        exact: (t, { omega, radius }) => radius * sin(omega * t),
+      },
+    ),
   ],
-  checks: [
+  checks: ({ at }) => [
     {
       label: 'Period, 2π/ω',
       unit: 's',
@@ -69,14 +67,12 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, ball }) => positionOf(world, ball).y, from: 1, to: 2 },
     },
-    {
-      label: 'Speed after 10 s, ω r',
-      unit: 'px/s',
-      exact: ({ omega, radius }) => omega * radius,
-      tolerance: { relative: 1e-6 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => speedOf(world, ball),
-    },
+    at(
+      10,
+      'Speed after 10 s, ω r',
+      { exact: ({ omega, radius }) => omega * radius, unit: 'px/s', relative: 1e-6 },
+      ({ world, ball }) => speedOf(world, ball),
+    ),
     {
       label: 'Acceleration ω² r, from the time of a quarter turn: (π/2) v/t',
       unit: 'px/s²',

@@ -62,33 +62,21 @@ export default defineExample({
       arrows: [forceArrow(world, car, 'friction', force, 0.06), velocityArrow(world, car, 1.2)],
     };
   },
-  plots: [
-    {
-      title: 'Distance from the middle',
-      y: { label: 'r, px' },
-      series: [{ label: 'car', value: ({ radius }) => radius() }],
-    },
-    {
-      title: 'Force',
-      y: { label: 'force, N' },
-      series: [
-        {
-          label: 'needed',
-          value: ({ world, car, radius }) => (MASS * speedOf(world, car) * speedOf(world, car)) / radius(),
-          exact: (_, { friction }) => friction * MASS * GRAVITY,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Distance from the middle', 'r, px', { label: 'car', value: ({ radius }) => radius() }),
+    plot('Force', 'force, N', {
+      label: 'needed',
+      value: ({ world, car, radius }) => (MASS * speedOf(world, car) * speedOf(world, car)) / radius(),
+      exact: (_, { friction }) => friction * MASS * GRAVITY,
+    }),
   ],
-  checks: [
-    {
-      label: 'Force that the circle needs, m v²/r',
-      unit: 'N',
-      exact: 120,
-      tolerance: { relative: 1e-9 },
-      at: { time: 20 },
-      measure: ({ world, car, radius }) => (MASS * speedOf(world, car) * speedOf(world, car)) / radius(),
-    },
+  checks: ({ at, largest }) => [
+    at(
+      20,
+      'Force that the circle needs, m v²/r',
+      { exact: 120, unit: 'N', relative: 1e-9 },
+      ({ world, car, radius }) => (MASS * speedOf(world, car) * speedOf(world, car)) / radius(),
+    ),
     {
       label: 'Time for one round, 2πr/v',
       unit: 's',
@@ -97,24 +85,18 @@ export default defineExample({
       // The car starts on this line; it crosses it again at the end of the round.
       at: { event: ({ world, car }) => (world.time > 1 ? positionOf(world, car).y - CENTRE.y : -1), count: 2 },
     },
-    {
-      label: 'Largest distance in 20 s at 27 px/s',
-      unit: 'px',
-      exact: RADIUS,
-      tolerance: { absolute: 0.05 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ radius }) => radius(),
-      preset: 'Just slow enough',
-    },
-    {
-      label: 'Distance after 20 s at 28 px/s',
-      unit: 'px',
-      exact: 87.7,
-      tolerance: { absolute: 0.05 },
-      at: { time: 20 },
-      measure: ({ radius }) => radius(),
-      preset: 'A little too fast',
-    },
+    largest(
+      20,
+      'Largest distance in 20 s at 27 px/s',
+      { exact: RADIUS, unit: 'px', absolute: 0.05, preset: 'Just slow enough' },
+      ({ radius }) => radius(),
+    ),
+    at(
+      20,
+      'Distance after 20 s at 28 px/s',
+      { exact: 87.7, unit: 'px', absolute: 0.05, preset: 'A little too fast' },
+      ({ radius }) => radius(),
+    ),
   ],
   tryThis: [
     'Find the speed at which the car just stays in its lane; then halve the friction and find it again.',

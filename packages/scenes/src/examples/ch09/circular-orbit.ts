@@ -46,14 +46,8 @@ export default defineExample({
       arrows: [velocityArrow(world, planet, 1)],
     };
   },
-  plots: [
-    {
-      title: 'Distance from the sun',
-      y: { label: 'r, px' },
-      series: [{ label: 'planet', value: ({ distance }) => distance() }],
-    },
-  ],
-  checks: [
+  plots: (plot) => [plot('Distance from the sun', 'r, px', { label: 'planet', value: ({ distance }) => distance() })],
+  checks: ({ largest, smallest }) => [
     {
       label: 'Period, 2π √(r³/GM)',
       unit: 's',
@@ -61,32 +55,21 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, planet }) => positionOf(world, planet).x - SUN.x, from: 1, to: 2 },
     },
-    {
-      label: 'Largest distance in 500 s',
-      unit: 'px',
-      exact: 250.003,
-      tolerance: { absolute: 5e-3 },
-      at: { until: 500, take: 'largest' },
-      measure: ({ distance }) => distance(),
-    },
-    {
-      label: 'Smallest distance in 500 s',
-      unit: 'px',
-      exact: 249.475,
-      tolerance: { absolute: 5e-3 },
-      at: { until: 500, take: 'smallest' },
-      measure: ({ distance }) => distance(),
-      integrator: positionFirstEuler,
-    },
-    {
-      label: 'Largest distance in 500 s',
-      unit: 'px',
-      exact: 250.529,
-      tolerance: { absolute: 5e-3 },
-      at: { until: 500, take: 'largest' },
-      measure: ({ distance }) => distance(),
-      integrator: positionFirstEuler,
-    },
+    largest(500, 'Largest distance in 500 s', { exact: 250.003, unit: 'px', absolute: 5e-3 }, ({ distance }) =>
+      distance(),
+    ),
+    smallest(
+      500,
+      'Smallest distance in 500 s',
+      { exact: 249.475, unit: 'px', absolute: 5e-3, integrator: positionFirstEuler },
+      ({ distance }) => distance(),
+    ),
+    largest(
+      500,
+      'Largest distance in 500 s',
+      { exact: 250.529, unit: 'px', absolute: 5e-3, integrator: positionFirstEuler },
+      ({ distance }) => distance(),
+    ),
     {
       label: 'Period, 2π √(r³/GM)',
       unit: 's',
@@ -95,15 +78,12 @@ export default defineExample({
       at: { event: ({ world, planet }) => positionOf(world, planet).x - SUN.x, from: 1, to: 2 },
       preset: 'Nearer',
     },
-    {
-      label: 'Largest distance, r (1 + sin 45°)',
-      unit: 'px',
-      exact: 250 * (1 + Math.SQRT1_2),
-      tolerance: { relative: 1e-4 },
-      at: { until: 60, take: 'largest' },
-      measure: ({ distance }) => distance(),
-      preset: 'Launched at 45°',
-    },
+    largest(
+      60,
+      'Largest distance, r (1 + sin 45°)',
+      { exact: 250 * (1 + Math.SQRT1_2), unit: 'px', relative: 1e-4, preset: 'Launched at 45°' },
+      ({ distance }) => distance(),
+    ),
     {
       label: 'Period on the ellipse: the same',
       unit: 's',

@@ -78,12 +78,8 @@ export default defineExample({
     },
   },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Displacement',
-      y: { label: 'x, px' },
-      series: [{ label: 'bob', value: ({ world, bob }) => positionOf(world, bob).x - PIVOT.x }],
-    },
+  plots: (plot) => [
+    plot('Displacement', 'x, px', { label: 'bob', value: ({ world, bob }) => positionOf(world, bob).x - PIVOT.x }),
   ],
   checks: [
     {

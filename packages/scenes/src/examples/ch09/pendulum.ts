@@ -57,15 +57,11 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Displacement',
-      y: { label: 'x, px' },
-      series: [{ label: 'bob', value: ({ world, bob }) => positionOf(world, bob).x - PIVOT.x }],
-    },
-    { title: 'Tension', y: { label: 'T, N' }, series: [{ label: 'string', value: ({ tension }) => tension() }] },
+  plots: (plot) => [
+    plot('Displacement', 'x, px', { label: 'bob', value: ({ world, bob }) => positionOf(world, bob).x - PIVOT.x }),
+    plot('Tension', 'T, N', { label: 'string', value: ({ tension }) => tension() }),
   ],
-  checks: [
+  checks: ({ at, largest, smallest }) => [
     {
       label: 'Period, by the elliptic integral',
       unit: 's',
@@ -73,38 +69,21 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, bob }) => positionOf(world, bob).x - PIVOT.x, from: 1, to: 2 },
     },
-    {
-      label: 'Largest speed, √(2gL(1 − cos φ))',
-      unit: 'px/s',
-      exact: 73.205,
-      tolerance: { relative: 1e-3 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ world, bob }) => speedOf(world, bob),
-    },
-    {
-      label: 'Largest tension, at the bottom',
-      unit: 'N',
-      exact: 126.79,
-      tolerance: { relative: 1e-3 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ tension }) => tension(),
-    },
-    {
-      label: 'Smallest tension, m g cos φ at the ends',
-      unit: 'N',
-      exact: 86.6,
-      tolerance: { relative: 1e-3 },
-      at: { until: 10, take: 'smallest' },
-      measure: ({ tension }) => tension(),
-    },
-    {
-      label: 'Length of the string after 100 s',
-      unit: 'px',
-      exact: ({ length }) => length,
-      tolerance: { absolute: 0.01 },
-      at: { time: 100 },
-      measure: ({ world, bob }) => distanceBetween(positionOf(world, bob), PIVOT),
-    },
+    largest(10, 'Largest speed, √(2gL(1 − cos φ))', { exact: 73.205, unit: 'px/s', relative: 1e-3 }, ({ world, bob }) =>
+      speedOf(world, bob),
+    ),
+    largest(10, 'Largest tension, at the bottom', { exact: 126.79, unit: 'N', relative: 1e-3 }, ({ tension }) =>
+      tension(),
+    ),
+    smallest(10, 'Smallest tension, m g cos φ at the ends', { exact: 86.6, unit: 'N', relative: 1e-3 }, ({ tension }) =>
+      tension(),
+    ),
+    at(
+      100,
+      'Length of the string after 100 s',
+      { exact: ({ length }) => length, unit: 'px', absolute: 0.01 },
+      ({ world, bob }) => distanceBetween(positionOf(world, bob), PIVOT),
+    ),
     {
       label: 'Period of a small swing, 2π √(L/g)',
       unit: 's',

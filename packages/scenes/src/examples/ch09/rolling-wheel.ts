@@ -77,17 +77,15 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed of the hub and of the lowest point',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'hub', value: ({ world, wheel }) => velocityOf(world, wheel).x },
-        { label: 'lowest point', value: ({ slip }) => slip() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed of the hub and of the lowest point',
+      'v, px/s',
+      { label: 'hub', value: ({ world, wheel }) => velocityOf(world, wheel).x },
+      { label: 'lowest point', value: ({ slip }) => slip() },
+    ),
   ],
-  checks: [
+  checks: ({ at }) => [
     {
       label: 'Way of one turn, 2πR',
       unit: 'px',
@@ -96,32 +94,24 @@ export default defineExample({
       at: { event: ({ angle }) => -angle() - 2 * Math.PI },
       measure: ({ world, wheel }) => positionOf(world, wheel).x - START,
     },
-    {
-      label: 'Speed of the lowest point',
-      unit: 'px/s',
-      exact: ({ factor, omega }) => (factor - 1) * omega * RADIUS,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 3 },
-      measure: ({ slip }) => slip(),
-    },
-    {
-      label: 'Slip of a wheel that spins on ice',
-      unit: 'px/s',
-      exact: -25,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 3 },
-      measure: ({ slip }) => slip(),
-      preset: 'Spinning on ice',
-    },
-    {
-      label: 'Slip of a wheel that brakes on ice',
-      unit: 'px/s',
-      exact: 50,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 3 },
-      measure: ({ slip }) => slip(),
-      preset: 'Braking on ice',
-    },
+    at(
+      3,
+      'Speed of the lowest point',
+      { exact: ({ factor, omega }) => (factor - 1) * omega * RADIUS, unit: 'px/s', absolute: 1e-12 },
+      ({ slip }) => slip(),
+    ),
+    at(
+      3,
+      'Slip of a wheel that spins on ice',
+      { exact: -25, unit: 'px/s', absolute: 1e-12, preset: 'Spinning on ice' },
+      ({ slip }) => slip(),
+    ),
+    at(
+      3,
+      'Slip of a wheel that brakes on ice',
+      { exact: 50, unit: 'px/s', absolute: 1e-12, preset: 'Braking on ice' },
+      ({ slip }) => slip(),
+    ),
   ],
   tryThis: [
     'Follow the red dot: a point of a rolling wheel stands still where it touches the road.',

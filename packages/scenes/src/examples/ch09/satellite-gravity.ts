@@ -64,25 +64,21 @@ export default defineExample({
       arrows: [forceArrow(world, satellite, 'gravity', pull, 2), velocityArrow(world, satellite, 0.7)],
     };
   },
-  plots: [
-    {
-      title: 'Angular speed',
-      y: { label: 'ω, rad/s' },
-      series: [
-        { label: 'satellite', value: ({ omega }) => omega(), exact: (_, { radius }) => angularSpeed(radius) },
-        { label: 'Earth', value: ({ world, earth }) => world.components.AngularVelocity.z[earth] },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Angular speed',
+      'ω, rad/s',
+      { label: 'satellite', value: ({ omega }) => omega(), exact: (_, { radius }) => angularSpeed(radius) },
+      { label: 'Earth', value: ({ world, earth }) => world.components.AngularVelocity.z[earth] },
+    ),
   ],
-  checks: [
-    {
-      label: 'Angular speed after 30 s, √(GM/r³)',
-      unit: 'rad/s',
-      exact: ({ radius }) => angularSpeed(radius),
-      tolerance: { relative: 1e-9 },
-      at: { time: 30 },
-      measure: ({ omega }) => omega(),
-    },
+  checks: ({ at }) => [
+    at(
+      30,
+      'Angular speed after 30 s, √(GM/r³)',
+      { exact: ({ radius }) => angularSpeed(radius), unit: 'rad/s', relative: 1e-9 },
+      ({ omega }) => omega(),
+    ),
     {
       label: 'Period',
       unit: 's',
@@ -90,23 +86,18 @@ export default defineExample({
       tolerance: { absolute: 5e-5 },
       at: { event: ({ world, satellite }) => positionOf(world, satellite).y - EARTH.y, from: 1, to: 2 },
     },
-    {
-      label: 'Angular speed at 184.2016 px: that of the Earth',
-      unit: 'rad/s',
-      exact: SPIN,
-      tolerance: { relative: 1e-9 },
-      at: { time: 30 },
-      measure: ({ omega }) => omega(),
-      preset: 'Geostationary',
-    },
-    {
-      label: 'Distance after 60 s',
-      unit: 'px',
-      exact: ({ radius }) => radius,
-      tolerance: { relative: 1e-8 },
-      at: { time: 60 },
-      measure: ({ world, satellite }) => distanceBetween(positionOf(world, satellite), EARTH),
-    },
+    at(
+      30,
+      'Angular speed at 184.2016 px: that of the Earth',
+      { exact: SPIN, unit: 'rad/s', relative: 1e-9, preset: 'Geostationary' },
+      ({ omega }) => omega(),
+    ),
+    at(
+      60,
+      'Distance after 60 s',
+      { exact: ({ radius }) => radius, unit: 'px', relative: 1e-8 },
+      ({ world, satellite }) => distanceBetween(positionOf(world, satellite), EARTH),
+    ),
   ],
   tryThis: [
     'Choose “Geostationary”: the mark on the Earth stays below the satellite.',

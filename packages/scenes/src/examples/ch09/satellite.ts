@@ -52,14 +52,13 @@ export default defineExample({
       arrows: [velocityArrow(world, satellite, 0.7)],
     };
   },
-  plots: [
-    {
-      title: 'Seen from the ground: sine of the angle from overhead',
-      y: { label: 'sine' },
-      series: [{ label: 'satellite', value: ({ aside }) => aside() }],
-    },
+  plots: (plot) => [
+    plot('Seen from the ground: sine of the angle from overhead', 'sine', {
+      label: 'satellite',
+      value: ({ aside }) => aside(),
+    }),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Period, 2π/ω',
       unit: 's',
@@ -67,22 +66,12 @@ export default defineExample({
       tolerance: { relative: 1e-6 },
       at: { event: ({ world, satellite }) => positionOf(world, satellite).y - EARTH.y, from: 1, to: 2 },
     },
-    {
-      label: 'Largest deviation from overhead in 40 s',
-      unit: 'rad',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { until: 40, take: 'largest' },
-      measure: ({ aside }) => Math.abs(aside()),
-    },
-    {
-      label: 'Distance after 40 s',
-      unit: 'px',
-      exact: DISTANCE,
-      tolerance: { relative: 1e-9 },
-      at: { time: 40 },
-      measure: ({ world, satellite }) => distanceBetween(positionOf(world, satellite), EARTH),
-    },
+    largest(40, 'Largest deviation from overhead in 40 s', { exact: 0, unit: 'rad', absolute: 1e-12 }, ({ aside }) =>
+      Math.abs(aside()),
+    ),
+    at(40, 'Distance after 40 s', { exact: DISTANCE, unit: 'px', relative: 1e-9 }, ({ world, satellite }) =>
+      distanceBetween(positionOf(world, satellite), EARTH),
+    ),
   ],
   tryThis: [
     'Watch the mark on the Earth: it points at the satellite all the time.',

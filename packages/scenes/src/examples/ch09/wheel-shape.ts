@@ -44,35 +44,25 @@ export default defineExample({
       dots: [{ at: () => placeOn(world, wheel, { x: (INNER + OUTER) / 2, y: 0 }), radius: 6, color: COLORS.orange }],
     };
   },
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [
-        {
-          label: 'wheel',
-          value: ({ world, wheel }) => world.components.AngularVelocity.z[wheel],
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', 'ω, rad/s', {
+      label: 'wheel',
+      value: ({ world, wheel }) => world.components.AngularVelocity.z[wheel],
+    }),
   ],
-  checks: [
-    {
-      label: 'Distance of the tips of two neighbouring spokes, 2 r sin(π/n)',
-      unit: 'px',
-      exact: 24.7214,
-      tolerance: { absolute: 5e-5 },
-      at: { time: 0 },
-      measure: ({ tips }) => distanceBetween(tips[0], tips[1]),
-    },
-    {
-      label: 'Angular velocity after 6 s, torque · t/I',
-      unit: 'rad/s',
-      exact: (15_000 * 6) / inertiaOf(DENSITY),
-      tolerance: { relative: 1e-9 },
-      at: { time: 6 },
-      measure: ({ world, wheel }) => world.components.AngularVelocity.z[wheel],
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'Distance of the tips of two neighbouring spokes, 2 r sin(π/n)',
+      { exact: 24.7214, unit: 'px', absolute: 5e-5 },
+      ({ tips }) => distanceBetween(tips[0], tips[1]),
+    ),
+    at(
+      6,
+      'Angular velocity after 6 s, torque · t/I',
+      { exact: (15_000 * 6) / inertiaOf(DENSITY), unit: 'rad/s', relative: 1e-9 },
+      ({ world, wheel }) => world.components.AngularVelocity.z[wheel],
+    ),
   ],
   tryThis: ['Find the number of spokes at which the wheel seems to stand still or to turn backwards at some speed.'],
 });

@@ -94,37 +94,26 @@ export default defineExample({
     left: held('◀', 'arrowleft', 'push to the left', steerRight, -1),
     right: held('▶', 'arrowright', 'push to the right', steerRight),
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'ship', value: ({ world, ship }) => speedOf(world, ship) }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Largest escape speed from a rim, √(2GM/r)',
-      unit: 'px/s',
-      exact: () => BLACK_HOLE.lightSpeed,
-      tolerance: { relative: 1e-9 },
-      at: { time: 0 },
-      measure: ({ escapes }) => escapes().reduce((a, b) => Math.max(a, b)),
-    },
-    {
-      label: 'Smallest escape speed from a rim',
-      unit: 'px/s',
-      exact: () => BLACK_HOLE.lightSpeed,
-      tolerance: { relative: 1e-9 },
-      at: { time: 0 },
-      measure: ({ escapes }) => escapes().reduce((a, b) => Math.min(a, b)),
-    },
-    {
-      label: 'Largest error of the energy of the first flight, outside two radii',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 10 },
-      measure: ({ flight }) => flight.worst,
-    },
+  plots: (plot) => [plot('Speed', 'v, px/s', { label: 'ship', value: ({ world, ship }) => speedOf(world, ship) })],
+  checks: ({ at }) => [
+    at(
+      0,
+      'Largest escape speed from a rim, √(2GM/r)',
+      { exact: () => BLACK_HOLE.lightSpeed, unit: 'px/s', relative: 1e-9 },
+      ({ escapes }) => escapes().reduce((a, b) => Math.max(a, b)),
+    ),
+    at(
+      0,
+      'Smallest escape speed from a rim',
+      { exact: () => BLACK_HOLE.lightSpeed, unit: 'px/s', relative: 1e-9 },
+      ({ escapes }) => escapes().reduce((a, b) => Math.min(a, b)),
+    ),
+    at(
+      10,
+      'Largest error of the energy of the first flight, outside two radii',
+      { exact: 0, absolute: 1e-3 },
+      ({ flight }) => flight.worst,
+    ),
   ],
   tryThis: [
     'Fly close past a hole without falling in: it flings you to the other side.',

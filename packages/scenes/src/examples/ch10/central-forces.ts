@@ -85,15 +85,11 @@ export default defineExample({
       arrows: [velocityArrow(world, body, 1)],
     };
   },
-  plots: [
-    { title: 'Distance', y: { label: 'r, px' }, series: [{ label: 'body', value: ({ distance }) => distance() }] },
-    {
-      title: 'Angular momentum',
-      y: { label: 'L, kg px²/s' },
-      series: [{ label: 'body', value: ({ world }) => -angularMomentum(world, CENTRE).z }],
-    },
+  plots: (plot) => [
+    plot('Distance', 'r, px', { label: 'body', value: ({ distance }) => distance() }),
+    plot('Angular momentum', 'L, kg px²/s', { label: 'body', value: ({ world }) => -angularMomentum(world, CENTRE).z }),
   ],
-  checks: [
+  checks: ({ at }) => [
     ...ranges(0),
     ...ranges(1, 'Gravity'),
     ...ranges(2, 'A spring'),
@@ -108,14 +104,12 @@ export default defineExample({
         return (atan2(CENTRE.y - y, CENTRE.x - x) * 180) / Math.PI;
       },
     },
-    {
-      label: 'Angular momentum after 60 s',
-      unit: 'kg px²/s',
-      exact: ({ speed }) => 200 * speed,
-      tolerance: { relative: 1e-9 },
-      at: { time: 60 },
-      measure: ({ world }) => Math.abs(angularMomentum(world, CENTRE).z),
-    },
+    at(
+      60,
+      'Angular momentum after 60 s',
+      { exact: ({ speed }) => 200 * speed, unit: 'kg px²/s', relative: 1e-9 },
+      ({ world }) => Math.abs(angularMomentum(world, CENTRE).z),
+    ),
   ],
   tryThis: [
     'Let the first law run for a minute: the rosette fills a ring, and never closes.',

@@ -63,32 +63,21 @@ export default defineExample({
       })),
     };
   },
-  plots: [
-    {
-      title: 'Speed at which they part',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'relative', value: ({ parting }) => parting() }],
-    },
-    { title: 'Distance', y: { label: 'd, px' }, series: [{ label: 'gap', value: ({ distance }) => distance() }] },
+  plots: (plot) => [
+    plot('Speed at which they part', 'v, px/s', { label: 'relative', value: ({ parting }) => parting() }),
+    plot('Distance', 'd, px', { label: 'gap', value: ({ distance }) => distance() }),
   ],
-  checks: [
-    {
-      label: 'Speed that they would part with in the end, √(2k q²/(μ d))',
-      unit: 'px/s',
-      exact: 20,
-      tolerance: { relative: 0.005 },
-      at: { time: 50 },
-      // What is left of the potential energy still speeds them up.
-      measure: ({ distance, parting }) => Math.sqrt(parting() * parting() + (2 * CONSTANT) / (REDUCED * distance())),
-    },
-    {
-      label: 'Momentum of both after 50 s',
-      unit: 'kg px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 50 },
-      measure: ({ world }) => lengthOf(momentum(world)),
-    },
+  checks: ({ at }) => [
+    // What is left of the potential energy still speeds them up.
+    at(
+      50,
+      'Speed that they would part with in the end, √(2k q²/(μ d))',
+      { exact: 20, unit: 'px/s', relative: 0.005 },
+      ({ distance, parting }) => Math.sqrt(parting() * parting() + (2 * CONSTANT) / (REDUCED * distance())),
+    ),
+    at(50, 'Momentum of both after 50 s', { exact: 0, unit: 'kg px/s', absolute: 1e-12 }, ({ world }) =>
+      lengthOf(momentum(world)),
+    ),
     {
       label: 'Time until opposite charges are 10 px apart; they meet after 7.854 s',
       unit: 's',

@@ -49,39 +49,26 @@ export default defineExample({
       trails: [...flights.ids, neutral].map((body) => ({ body, length: 1500, interval: 4 })),
     };
   },
-  plots: [
-    {
-      title: 'Launches',
-      y: { label: 'number' },
-      series: [{ label: 'launches', value: ({ flights }) => flights.launches() }],
-    },
-    {
-      title: 'Largest error of the energy of a flight',
-      y: { label: 'fraction' },
-      series: [{ label: 'error', value: ({ flights }) => flights.worst() }],
-    },
+  plots: (plot) => [
+    plot('Launches', 'number', { label: 'launches', value: ({ flights }) => flights.launches() }),
+    plot('Largest error of the energy of a flight', 'fraction', {
+      label: 'error',
+      value: ({ flights }) => flights.worst(),
+    }),
   ],
-  checks: [
-    {
-      label: 'Largest error of the energy of a flight',
-      exact: 0,
-      tolerance: { absolute: 5e-3 },
-      at: { time: 60 },
-      measure: ({ flights }) => flights.worst(),
-    },
-    {
-      label: 'How far the body without charge strays from its straight line',
-      unit: 'px',
-      exact: 0,
-      // Each of 14400 steps rounds a coordinate of up to 512 by half a unit of its last place, 5.7e-14.
-      tolerance: { absolute: 1e-9 },
-      at: { time: 60 },
-      measure({ world, neutral }) {
+  checks: ({ at }) => [
+    at(60, 'Largest error of the energy of a flight', { exact: 0, absolute: 5e-3 }, ({ flights }) => flights.worst()),
+    // Each of 14400 steps rounds a coordinate of up to 512 by half a unit of its last place, 5.7e-14.
+    at(
+      60,
+      'How far the body without charge strays from its straight line',
+      { exact: 0, unit: 'px', absolute: 1e-9 },
+      ({ world, neutral }) => {
         const { at, velocity } = STRAIGHT;
         const line = { x: at.x + velocity.x * world.time, y: at.y + velocity.y * world.time };
         return distanceBetween(positionOf(world, neutral), line);
       },
-    },
+    ),
   ],
   tryThis: [
     'Choose “Fast”: the paths become nearly straight, because a fast body is soon past a charge.',

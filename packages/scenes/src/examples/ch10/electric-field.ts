@@ -103,62 +103,46 @@ export default defineExample({
       arrows: [forceArrow(world, body, 'force', force, 1), velocityArrow(world, body, 0.6)],
     };
   },
-  plots: [
-    {
-      title: 'Field',
-      y: { label: 'E, V/px' },
-      series: [
-        { label: 'along x', value: ({ strength }) => strength().x },
-        { label: 'along y', value: ({ strength }) => strength().y },
-      ],
-    },
-    {
-      title: 'Way along y',
-      y: { label: 'y, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, body }) => positionOf(world, body).y - START.y,
-          exact: (t, { field, charge }) => charge * FIELDS[field].way(t).y,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Field',
+      'E, V/px',
+      { label: 'along x', value: ({ strength }) => strength().x },
+      { label: 'along y', value: ({ strength }) => strength().y },
+    ),
+    plot('Way along y', 'y, px', {
+      label: 'stepped',
+      value: ({ world, body }) => positionOf(world, body).y - START.y,
+      exact: (t, { field, charge }) => charge * FIELDS[field].way(t).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Place after 25 s along x',
-      unit: 'px',
-      exact: 412.5,
-      tolerance: { relative: 1e-3 },
-      at: { time: TIME },
-      measure: ({ world, body }) => positionOf(world, body).x,
-    },
-    {
-      label: 'Place after 25 s along y',
-      unit: 'px',
-      exact: 199.91,
-      tolerance: { relative: 1e-3 },
-      at: { time: TIME },
-      measure: ({ world, body }) => positionOf(world, body).y,
-    },
-    ...[100, 25, 100 / 9].map((exact, i) => ({
-      label: 'Width of the swing, 100/ω²',
-      unit: 'px',
-      exact,
-      tolerance: { relative: 1e-3 },
-      at: { until: TIME, take: 'largest' as const },
-      measure: ({ world, body }: Run) => positionOf(world, body).y - START.y,
-      preset: FIELDS[i + 1].name,
-    })),
-    {
-      label: 'Distance from the exact cycloid after 25 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-4 },
-      at: { time: TIME },
-      measure: ({ world, body, exact }) => distanceBetween(positionOf(world, body), exact(world.time)),
-      preset: '(20 sin t, 20 cos t)',
-    },
+  checks: ({ at, largest }) => [
+    at(
+      TIME,
+      'Place after 25 s along x',
+      { exact: 412.5, unit: 'px', relative: 1e-3 },
+      ({ world, body }) => positionOf(world, body).x,
+    ),
+    at(
+      TIME,
+      'Place after 25 s along y',
+      { exact: 199.91, unit: 'px', relative: 1e-3 },
+      ({ world, body }) => positionOf(world, body).y,
+    ),
+    ...[100, 25, 100 / 9].map((exact, i) =>
+      largest(
+        TIME,
+        'Width of the swing, 100/ω²',
+        { exact, unit: 'px', relative: 1e-3, preset: FIELDS[i + 1].name },
+        ({ world, body }: Run) => positionOf(world, body).y - START.y,
+      ),
+    ),
+    at(
+      TIME,
+      'Distance from the exact cycloid after 25 s',
+      { exact: 0, unit: 'px', absolute: 1e-4, preset: '(20 sin t, 20 cos t)' },
+      ({ world, body, exact }) => distanceBetween(positionOf(world, body), exact(world.time)),
+    ),
   ],
   tryThis: [
     'Turn the sign of the charge: it moves the opposite way at every moment.',

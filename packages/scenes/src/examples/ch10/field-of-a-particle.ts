@@ -78,47 +78,26 @@ export default defineExample({
       arrows: [...arrows, velocityArrow(world, body, 0.5)],
     };
   },
-  plots: [
-    {
-      title: 'Energy of the body',
-      y: { label: 'E, J' },
-      series: [
-        { label: 'total', value: ({ total }) => total() },
-        { label: 'of motion', value: ({ world, body }) => (speedOf(world, body) * speedOf(world, body)) / 2 },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Energy of the body',
+      'E, J',
+      { label: 'total', value: ({ total }) => total() },
+      { label: 'of motion', value: ({ world, body }) => (speedOf(world, body) * speedOf(world, body)) / 2 },
+    ),
   ],
-  checks: [
-    {
-      label: 'Work on a closed path',
-      unit: 'J',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 0 },
-      measure: () => workRound(1e6),
-    },
-    {
-      label: 'Flow through a sphere about the mass, by 4π GM',
-      exact: 1,
-      tolerance: { relative: 1e-3 },
-      at: { time: 0 },
-      measure: () => flowThrough(0),
-    },
-    {
-      label: 'The same with the mass far from the middle of the sphere',
-      exact: 1,
-      tolerance: { relative: 1e-3 },
-      at: { time: 0 },
-      measure: () => flowThrough(60),
-    },
-    {
-      label: 'Energy of the body after 30 s',
-      unit: 'J',
-      exact: ({ mass, speed }) => (speed * speed) / 2 - mass / 200,
-      tolerance: { relative: 1e-4 },
-      at: { time: 30 },
-      measure: ({ total }) => total(),
-    },
+  checks: ({ at }) => [
+    at(0, 'Work on a closed path', { exact: 0, unit: 'J', absolute: 1e-9 }, () => workRound(1e6)),
+    at(0, 'Flow through a sphere about the mass, by 4π GM', { exact: 1, relative: 1e-3 }, () => flowThrough(0)),
+    at(0, 'The same with the mass far from the middle of the sphere', { exact: 1, relative: 1e-3 }, () =>
+      flowThrough(60),
+    ),
+    at(
+      30,
+      'Energy of the body after 30 s',
+      { exact: ({ mass, speed }) => (speed * speed) / 2 - mass / 200, unit: 'J', relative: 1e-4 },
+      ({ total }) => total(),
+    ),
   ],
   tryThis: [
     'Choose “A quarter of the mass”: now 50 px/s is just enough to escape.',

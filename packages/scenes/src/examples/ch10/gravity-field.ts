@@ -45,42 +45,29 @@ export default defineExample({
       trails: flights.ids.map((body) => ({ body, length: 1500, interval: 4 })),
     };
   },
-  plots: [
-    {
-      title: 'Launches',
-      y: { label: 'number' },
-      series: [{ label: 'launches', value: ({ flights }) => flights.launches() }],
-    },
-    {
-      title: 'Largest error of the energy of a flight',
-      y: { label: 'fraction' },
-      series: [{ label: 'error', value: ({ flights }) => flights.worst() }],
-    },
+  plots: (plot) => [
+    plot('Launches', 'number', { label: 'launches', value: ({ flights }) => flights.launches() }),
+    plot('Largest error of the energy of a flight', 'fraction', {
+      label: 'error',
+      value: ({ flights }) => flights.worst(),
+    }),
   ],
-  checks: [
-    {
-      label: 'Largest escape speed at a rim, √(2GM/r)',
-      unit: 'px/s',
-      exact: ({ rim }) => rim,
-      tolerance: { relative: 1e-12 },
-      at: { time: 0 },
-      measure: ({ escapes }) => escapes().reduce((a, b) => Math.max(a, b)),
-    },
-    {
-      label: 'Smallest escape speed at a rim',
-      unit: 'px/s',
-      exact: ({ rim }) => rim,
-      tolerance: { relative: 1e-12 },
-      at: { time: 0 },
-      measure: ({ escapes }) => escapes().reduce((a, b) => Math.min(a, b)),
-    },
-    {
-      label: 'Largest error of the energy of a flight, outside three radii',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 60 },
-      measure: ({ flights }) => flights.worst(),
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'Largest escape speed at a rim, √(2GM/r)',
+      { exact: ({ rim }) => rim, unit: 'px/s', relative: 1e-12 },
+      ({ escapes }) => escapes().reduce((a, b) => Math.max(a, b)),
+    ),
+    at(0, 'Smallest escape speed at a rim', { exact: ({ rim }) => rim, unit: 'px/s', relative: 1e-12 }, ({ escapes }) =>
+      escapes().reduce((a, b) => Math.min(a, b)),
+    ),
+    at(
+      60,
+      'Largest error of the energy of a flight, outside three radii',
+      { exact: 0, absolute: 1e-3 },
+      ({ flights }) => flights.worst(),
+    ),
   ],
   tryThis: [
     'Choose “One sun”: most flights are long ellipses that end in it, or hyperbolas out of the picture.',

@@ -66,27 +66,17 @@ export default defineExample({
       arrows: [forceArrow(world, charge, 'force', force, 1.5), velocityArrow(world, charge, 1)],
     };
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'charge', value: ({ world, charge }) => speedOf(world, charge) }],
-    },
-    {
-      title: 'Height',
-      y: { label: 'y, px' },
-      series: [{ label: 'charge', value: ({ world, charge }) => positionOf(world, charge).y }],
-    },
+  plots: (plot) => [
+    plot('Speed', 'v, px/s', { label: 'charge', value: ({ world, charge }) => speedOf(world, charge) }),
+    plot('Height', 'y, px', { label: 'charge', value: ({ world, charge }) => positionOf(world, charge).y }),
   ],
-  checks: [
-    {
-      label: 'Diameter of the circle, 2 m v/(q B)',
-      unit: 'px',
-      exact: 160,
-      tolerance: { relative: 1e-3 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, charge }) => distanceBetween(positionOf(world, charge), START),
-    },
+  checks: ({ at, largest }) => [
+    largest(
+      30,
+      'Diameter of the circle, 2 m v/(q B)',
+      { exact: 160, unit: 'px', relative: 1e-3 },
+      ({ world, charge }) => distanceBetween(positionOf(world, charge), START),
+    ),
     {
       label: 'Period, 2π m/(q B)',
       unit: 's',
@@ -94,14 +84,9 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, charge }) => positionOf(world, charge).x - START.x, from: 1, to: 2 },
     },
-    {
-      label: 'Speed after 100 s',
-      unit: 'px/s',
-      exact: SPEED,
-      tolerance: { relative: 1e-12 },
-      at: { time: 100 },
-      measure: ({ world, charge }) => speedOf(world, charge),
-    },
+    at(100, 'Speed after 100 s', { exact: SPEED, unit: 'px/s', relative: 1e-12 }, ({ world, charge }) =>
+      speedOf(world, charge),
+    ),
     {
       label: 'Period in the weaker field',
       unit: 's',
@@ -110,34 +95,25 @@ export default defineExample({
       at: { event: ({ world, charge }) => positionOf(world, charge).x - START.x, from: 1, to: 2 },
       preset: 'A weaker field',
     },
-    {
-      label: 'Drift upwards in eight turns, E/B',
-      unit: 'px/s',
-      exact: 2,
-      tolerance: { relative: 1e-3 },
-      at: { time: 32 * Math.PI },
-      measure: ({ world, charge }) => (START.y - positionOf(world, charge).y) / world.time,
-      preset: 'Drift',
-    },
-    {
-      label: 'Where the spiral ends, x',
-      unit: 'px',
-      // The spiral shrinks by e^(−0.06003 · 250): 80 px become 2.4e-5 px.
-      exact: 359.47,
-      tolerance: { absolute: 0.02 },
-      at: { time: 250 },
-      measure: ({ world, charge }) => positionOf(world, charge).x,
-      preset: 'Spiral',
-    },
-    {
-      label: 'Where the spiral ends, y',
-      unit: 'px',
-      exact: 371.14,
-      tolerance: { absolute: 0.02 },
-      at: { time: 250 },
-      measure: ({ world, charge }) => positionOf(world, charge).y,
-      preset: 'Spiral',
-    },
+    at(
+      32 * Math.PI,
+      'Drift upwards in eight turns, E/B',
+      { exact: 2, unit: 'px/s', relative: 1e-3, preset: 'Drift' },
+      ({ world, charge }) => (START.y - positionOf(world, charge).y) / world.time,
+    ),
+    // The spiral shrinks by e^(−0.06003 · 250): 80 px become 2.4e-5 px.
+    at(
+      250,
+      'Where the spiral ends, x',
+      { exact: 359.47, unit: 'px', absolute: 0.02, preset: 'Spiral' },
+      ({ world, charge }) => positionOf(world, charge).x,
+    ),
+    at(
+      250,
+      'Where the spiral ends, y',
+      { exact: 371.14, unit: 'px', absolute: 0.02, preset: 'Spiral' },
+      ({ world, charge }) => positionOf(world, charge).y,
+    ),
   ],
   tryThis: [
     'Choose “Drift”: the electric field points to the right, and yet the charge moves upwards.',

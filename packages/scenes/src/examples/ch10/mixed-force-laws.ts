@@ -65,31 +65,30 @@ export default defineExample({
       })),
     };
   },
-  plots: [
-    {
-      title: 'Energy of the yellow body, as if all centres were at rest',
-      y: { label: 'energy, J' },
-      series: [{ label: 'energy', value: ({ value }) => value() }],
-    },
+  plots: (plot) => [
+    plot('Energy of the yellow body, as if all centres were at rest', 'energy, J', {
+      label: 'energy',
+      value: ({ value }) => value(),
+    }),
   ],
-  checks: [
-    {
-      label: 'Red centre after 10 s, x',
-      unit: 'px',
-      exact: ({ moving }) => 200 + 100 * moving,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 10 },
-      measure: ({ world, centres }) => positionOf(world, centres[0]).x,
-    },
-    {
-      label: 'Energy of the yellow body after 4 s, the centres at rest',
-      unit: 'J',
-      exact: 250 + 1000 * log(Math.sqrt(50_000)) - 1e5 / Math.sqrt(80_000) - 5e6 / 90_000,
-      tolerance: { relative: 1e-6 },
-      at: { time: 4 },
-      measure: ({ value }) => value(),
-      preset: 'All centres at rest',
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Red centre after 10 s, x',
+      { exact: ({ moving }) => 200 + 100 * moving, unit: 'px', absolute: 1e-9 },
+      ({ world, centres }) => positionOf(world, centres[0]).x,
+    ),
+    at(
+      4,
+      'Energy of the yellow body after 4 s, the centres at rest',
+      {
+        exact: 250 + 1000 * log(Math.sqrt(50_000)) - 1e5 / Math.sqrt(80_000) - 5e6 / 90_000,
+        unit: 'J',
+        relative: 1e-6,
+        preset: 'All centres at rest',
+      },
+      ({ value }) => value(),
+    ),
   ],
   tryThis: [
     'Choose “All centres at rest”: the plot is a straight line as long as the body stays outside the discs.',

@@ -57,39 +57,36 @@ export default defineExample({
       trails: bodies.map((body) => ({ body, length: 700, interval: 20 })),
     };
   },
-  plots: [
-    {
-      title: 'Height of the first body',
-      y: { label: 'y, px' },
-      series: [{ label: 'first', value: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300 }],
-    },
-    {
-      title: 'Speeds',
-      y: { label: 'v, px/s' },
-      series: BODIES.map(({ name }, i) => ({
+  plots: (plot) => [
+    plot('Height of the first body', 'y, px', {
+      label: 'first',
+      value: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300,
+    }),
+    plot(
+      'Speeds',
+      'v, px/s',
+      ...BODIES.map(({ name }, i) => ({
         label: name,
         value: ({ world, bodies }: Run) => speedOf(world, bodies[i]),
       })),
-    },
+    ),
   ],
-  checks: [
-    ...BODIES.map(({ name, energy }, i) => ({
-      label: `Energy of the ${name} body after 10 s`,
-      unit: 'J',
-      exact: energy,
-      // The given energies have two digits after the point.
-      tolerance: { absolute: 5e-3 },
-      at: { time: 10 },
-      measure: (run: Run) => energyOf(run, i),
-    })),
-    {
-      label: 'How far the first body swings, √(2e6²/18200² − 1e4)',
-      unit: 'px',
-      exact: 45.561,
-      tolerance: { absolute: 5e-4 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300,
-    },
+  checks: ({ at, largest }) => [
+    ...BODIES.map(
+      (
+        { name, energy },
+        i, // The given energies have two digits after the point.
+      ) =>
+        at(10, `Energy of the ${name} body after 10 s`, { exact: energy, unit: 'J', absolute: 5e-3 }, (run: Run) =>
+          energyOf(run, i),
+        ),
+    ),
+    largest(
+      10,
+      'How far the first body swings, √(2e6²/18200² − 1e4)',
+      { exact: 45.561, unit: 'px', absolute: 5e-4 },
+      ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300,
+    ),
     {
       label: 'Its period',
       unit: 's',
@@ -97,14 +94,9 @@ export default defineExample({
       tolerance: { absolute: 1e-4 },
       at: { event: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300, from: 1, to: 2 },
     },
-    {
-      label: 'How far it strays from the middle',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ world, bodies }: Run) => Math.abs(positionOf(world, bodies[0]).x - 400),
-    },
+    largest(10, 'How far it strays from the middle', { exact: 0, unit: 'px', absolute: 0 }, ({ world, bodies }: Run) =>
+      Math.abs(positionOf(world, bodies[0]).x - 400),
+    ),
   ],
   tryThis: [
     'Choose “The second sun is a little heavier”: the first body is drawn aside, and its path becomes as tangled as the others.',

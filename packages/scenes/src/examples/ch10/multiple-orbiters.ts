@@ -119,17 +119,17 @@ export default defineExample({
       else place(from, velocity);
     },
   },
-  plots: [
-    {
-      title: 'Distances from the sun',
-      y: { label: 'r, px' },
-      series: PLANETS.map(({ name }, i) => ({
+  plots: (plot) => [
+    plot(
+      'Distances from the sun',
+      'r, px',
+      ...PLANETS.map(({ name }, i) => ({
         label: name,
         value: ({ world, planets }: Run) => distanceBetween(positionOf(world, planets[i]), SUN),
       })),
-    },
+    ),
   ],
-  checks: [
+  checks: ({ at }) => [
     ...PLANETS.map(({ name, period }, i) => ({
       label: `Period of the ${name} planet`,
       unit: 's',
@@ -146,13 +146,14 @@ export default defineExample({
         to: 2,
       },
     })),
-    ...PLANETS.map(({ name, e }, i) => ({
-      label: `Eccentricity of the ${name} planet after 30 s`,
-      exact: e,
-      tolerance: { absolute: 5.1e-5 },
-      at: { time: 30 },
-      measure: (run: Run) => orbitOf(run, i).e,
-    })),
+    ...PLANETS.map(({ name, e }, i) =>
+      at(
+        30,
+        `Eccentricity of the ${name} planet after 30 s`,
+        { exact: e, absolute: 5.1e-5 },
+        (run: Run) => orbitOf(run, i).e,
+      ),
+    ),
   ],
   tryThis: [
     'Make the planets a thousand times heavier: nothing changes, because the sun is fixed and they do not attract each other.',

@@ -48,32 +48,22 @@ export default defineExample({
       trails: ids.slice(0, 12).map((body) => ({ body, length: 380 })),
     };
   },
-  plots: [
-    {
-      title: 'Largest distance from the start',
-      y: { label: 'distance, px' },
-      series: [{ label: 'of all', value: ({ worst }) => worst() }],
-    },
+  plots: (plot) => [
+    plot('Largest distance from the start', 'distance, px', { label: 'of all', value: ({ worst }) => worst() }),
   ],
-  checks: [
-    {
-      label: 'Largest distance from the start after 2π s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 4e-7 },
-      at: { time: PERIOD },
-      measure: ({ worst }) => worst(),
-      integrator: rungeKutta4,
-    },
-    {
-      label: 'Largest distance from the start after 2π s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0.01 },
-      at: { time: PERIOD },
-      measure: ({ worst }) => worst(),
-      integrator: positionFirstEuler,
-    },
+  checks: ({ at }) => [
+    at(
+      PERIOD,
+      'Largest distance from the start after 2π s',
+      { exact: 0, unit: 'px', absolute: 4e-7, integrator: rungeKutta4 },
+      ({ worst }) => worst(),
+    ),
+    at(
+      PERIOD,
+      'Largest distance from the start after 2π s',
+      { exact: 0, unit: 'px', absolute: 0.01, integrator: positionFirstEuler },
+      ({ worst }) => worst(),
+    ),
   ],
   tryThis: [
     'Choose “All from rest”: they meet in the centre, all at the same moment.',

@@ -52,44 +52,31 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Gap between the balls',
-      y: { label: 'px' },
-      series: [
-        {
-          label: 'in steps',
-          value: ({ shown }) => shown()[1] - shown()[0] - 2 * RADIUS,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Gap between the balls', 'px', {
+      label: 'in steps',
+      value: ({ shown }) => shown()[1] - shown()[0] - 2 * RADIUS,
+    }),
   ],
-  checks: [
-    {
-      label: 'Gap after the repair',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ repaired }) => repaired[1] - repaired[0] - 2 * RADIUS,
-    },
-    {
-      label: 'Place of the left ball: where they met, v₁ times the time of approach',
-      unit: 'px',
-      exact: ({ v1, v2 }) => LEFT + (v1 * (RIGHT - LEFT - 2 * RADIUS)) / (v1 - v2),
-      tolerance: { absolute: 1e-10 },
-      at: { time: 0 },
-      measure: ({ repaired }) => repaired[0],
-    },
-    {
-      label: 'Gap after the repair if only one moves',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ repaired }) => repaired[1] - repaired[0] - 2 * RADIUS,
-      preset: 'Only one moves',
-    },
+  checks: ({ at }) => [
+    at(
+      0,
+      'Gap after the repair',
+      { exact: 0, unit: 'px', absolute: 1e-12 },
+      ({ repaired }) => repaired[1] - repaired[0] - 2 * RADIUS,
+    ),
+    at(
+      0,
+      'Place of the left ball: where they met, v₁ times the time of approach',
+      { exact: ({ v1, v2 }) => LEFT + (v1 * (RIGHT - LEFT - 2 * RADIUS)) / (v1 - v2), unit: 'px', absolute: 1e-10 },
+      ({ repaired }) => repaired[0],
+    ),
+    at(
+      0,
+      'Gap after the repair if only one moves',
+      { exact: 0, unit: 'px', absolute: 1e-12, preset: 'Only one moves' },
+      ({ repaired }) => repaired[1] - repaired[0] - 2 * RADIUS,
+    ),
   ],
   tryThis: [
     'Make the step longer: the overlap grows, the place of the meeting stays.',

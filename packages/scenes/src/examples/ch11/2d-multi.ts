@@ -75,49 +75,34 @@ export default defineExample({
       trails: ids.map((body) => ({ body, length: 400 })),
     };
   },
-  plots: [
-    { title: 'Energy', y: { label: 'of the start' }, series: [{ label: 'all balls', value: ({ share }) => share() }] },
-    {
-      title: 'Momentum',
-      y: { label: 'p, kg px/s' },
-      series: [
-        { label: 'along x', value: ({ world }) => momentum(world).x },
-        { label: 'along y', value: ({ world }) => momentum(world).y },
-      ],
-    },
+  plots: (plot) => [
+    plot('Energy', 'of the start', { label: 'all balls', value: ({ share }) => share() }),
+    plot(
+      'Momentum',
+      'p, kg px/s',
+      { label: 'along x', value: ({ world }) => momentum(world).x },
+      { label: 'along y', value: ({ world }) => momentum(world).y },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest change of the momentum',
-      unit: 'kg px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ drift }) => drift(),
-    },
-    {
-      label: 'Energy at the end, as a fraction of that at the start',
-      exact: 1,
-      tolerance: { relative: 1e-10 },
-      at: { time: 10 },
-      measure: ({ share }) => share(),
-    },
-    {
-      label: 'Largest difference of a velocity if the balls are counted from the last to the first, by the mean speed',
-      exact: 0,
-      tolerance: { absolute: 0.01 },
-      at: { time: 10 },
-      measure: ({ disorder }) => disorder(),
-    },
-    {
-      label: 'Change of the momentum of sticky balls',
-      unit: 'kg px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 10 },
-      measure: ({ drift }) => drift(),
-      preset: 'Sticky balls',
-    },
+  checks: ({ at, largest }) => [
+    largest(10, 'Largest change of the momentum', { exact: 0, unit: 'kg px/s', absolute: 1e-10 }, ({ drift }) =>
+      drift(),
+    ),
+    at(10, 'Energy at the end, as a fraction of that at the start', { exact: 1, relative: 1e-10 }, ({ share }) =>
+      share(),
+    ),
+    at(
+      10,
+      'Largest difference of a velocity if the balls are counted from the last to the first, by the mean speed',
+      { exact: 0, absolute: 0.01 },
+      ({ disorder }) => disorder(),
+    ),
+    at(
+      10,
+      'Change of the momentum of sticky balls',
+      { exact: 0, unit: 'kg px/s', absolute: 1e-10, preset: 'Sticky balls' },
+      ({ drift }) => drift(),
+    ),
   ],
   tryThis: [
     'Choose “Sticky balls”: most of the energy is lost in the middle, and of the momentum nothing.',

@@ -72,81 +72,62 @@ export default defineExample({
       arrows: [velocityArrow(world, red, 0.4), velocityArrow(world, blue, 0.4)],
     };
   },
-  plots: [
-    {
-      title: 'Momentum along x',
-      y: { label: 'p, kg px/s' },
-      series: [
-        { label: 'red', value: ({ world, red, vx }) => world.components.Mass.value[red] * vx(red) },
-        { label: 'blue', value: ({ world, blue, vx }) => world.components.Mass.value[blue] * vx(blue) },
-        { label: 'sum', value: ({ world }) => momentum(world).x },
-      ],
-    },
-    { title: 'Energy', y: { label: 'E, J' }, series: [{ label: 'both', value: ({ world }) => energy(world).kinetic }] },
+  plots: (plot) => [
+    plot(
+      'Momentum along x',
+      'p, kg px/s',
+      { label: 'red', value: ({ world, red, vx }) => world.components.Mass.value[red] * vx(red) },
+      { label: 'blue', value: ({ world, blue, vx }) => world.components.Mass.value[blue] * vx(blue) },
+      { label: 'sum', value: ({ world }) => momentum(world).x },
+    ),
+    plot('Energy', 'E, J', { label: 'both', value: ({ world }) => energy(world).kinetic }),
   ],
-  checks: [
-    {
-      label: 'Velocity of the light ball afterwards',
-      unit: 'px/s',
-      exact: -9250 / 63,
-      tolerance: { relative: 1e-12 },
-      at: { time: 2 },
-      measure: ({ red, vx }) => vx(red),
-    },
-    {
-      label: 'Velocity of the heavy ball afterwards',
-      unit: 'px/s',
-      exact: 3350 / 63,
-      tolerance: { relative: 1e-12 },
-      at: { time: 2 },
-      measure: ({ blue, vx }) => vx(blue),
-    },
-    {
-      label: 'Time of the collision',
-      unit: 's',
-      exact: 1.05,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 2 },
-      measure: ({ world, red, vx }) => world.time - (positionOf(world, red).x - 262.5) / vx(red),
-    },
-    {
-      label: 'Common velocity if they stay together',
-      unit: 'px/s',
-      exact: 51.5873,
-      tolerance: { relative: 1e-6 },
-      at: { time: 2 },
-      measure: ({ red, vx }) => vx(red),
-      preset: 'They stay together',
-    },
-    {
-      label: 'Energy lost, ½ μ (1 − e²) 200²',
-      unit: 'J',
-      exact: 0.5 * (125 / 126) * 0.75 * 40_000,
-      tolerance: { relative: 1e-9 },
-      at: { time: 2 },
-      measure: ({ world, lost }) => lost - energy(world).kinetic,
-      preset: 'Half elastic',
-    },
-    {
-      label: 'Cosine of the angle between the two ways, if one was at rest',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 2.5 },
-      measure({ world, red, blue }) {
+  checks: ({ at }) => [
+    at(
+      2,
+      'Velocity of the light ball afterwards',
+      { exact: -9250 / 63, unit: 'px/s', relative: 1e-12 },
+      ({ red, vx }) => vx(red),
+    ),
+    at(
+      2,
+      'Velocity of the heavy ball afterwards',
+      { exact: 3350 / 63, unit: 'px/s', relative: 1e-12 },
+      ({ blue, vx }) => vx(blue),
+    ),
+    at(
+      2,
+      'Time of the collision',
+      { exact: 1.05, unit: 's', absolute: 1e-9 },
+      ({ world, red, vx }) => world.time - (positionOf(world, red).x - 262.5) / vx(red),
+    ),
+    at(
+      2,
+      'Common velocity if they stay together',
+      { exact: 51.5873, unit: 'px/s', relative: 1e-6, preset: 'They stay together' },
+      ({ red, vx }) => vx(red),
+    ),
+    at(
+      2,
+      'Energy lost, ½ μ (1 − e²) 200²',
+      { exact: 0.5 * (125 / 126) * 0.75 * 40_000, unit: 'J', relative: 1e-9, preset: 'Half elastic' },
+      ({ world, lost }) => lost - energy(world).kinetic,
+    ),
+    at(
+      2.5,
+      'Cosine of the angle between the two ways, if one was at rest',
+      { exact: 0, absolute: 1e-12, preset: 'One at rest' },
+      ({ world, red, blue }) => {
         const [a, b] = [velocityOf(world, red), velocityOf(world, blue)];
         return (a.x * b.x + a.y * b.y) / Math.sqrt((a.x * a.x + a.y * a.y) * (b.x * b.x + b.y * b.y));
       },
-      preset: 'One at rest',
-    },
-    {
-      label: 'Energy after the aslant collision',
-      unit: 'J',
-      exact: (10_000 + 900 + 2500 + 900) / 2,
-      tolerance: { relative: 1e-12 },
-      at: { time: 2 },
-      measure: ({ world }) => energy(world).kinetic,
-      preset: 'Equal balls, aslant',
-    },
+    ),
+    at(
+      2,
+      'Energy after the aslant collision',
+      { exact: (10_000 + 900 + 2500 + 900) / 2, unit: 'J', relative: 1e-12, preset: 'Equal balls, aslant' },
+      ({ world }) => energy(world).kinetic,
+    ),
   ],
   tryThis: [
     'Choose “One at rest”, as in billiards: the balls leave at a right angle.',

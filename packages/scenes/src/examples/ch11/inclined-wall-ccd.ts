@@ -40,29 +40,12 @@ export default defineExample({
   picture() {
     return { yDown: true, view: { minX: 30, maxX: 720, minY: 30, maxY: 570 }, lines: linesOf(WALLS) };
   },
-  plots: [
-    {
-      title: 'Balls on the wrong side',
-      y: { label: 'number' },
-      series: [{ label: 'escaped', value: ({ escaped }) => escaped() }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Most balls on the wrong side at any time',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 15, take: 'largest' },
-      measure: ({ escaped }) => escaped(),
-    },
-    {
-      label: 'The same with elastic walls',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 15, take: 'largest' },
-      measure: ({ escaped }) => escaped(),
-      preset: 'Elastic walls',
-    },
+  plots: (plot) => [plot('Balls on the wrong side', 'number', { label: 'escaped', value: ({ escaped }) => escaped() })],
+  checks: ({ largest }) => [
+    largest(15, 'Most balls on the wrong side at any time', { exact: 0, absolute: 0 }, ({ escaped }) => escaped()),
+    largest(15, 'The same with elastic walls', { exact: 0, absolute: 0, preset: 'Elastic walls' }, ({ escaped }) =>
+      escaped(),
+    ),
   ],
   tryThis: [
     'Shoot at 100 000 px/s: still none comes through.',

@@ -44,68 +44,48 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.4)],
     };
   },
-  plots: [
-    {
-      title: 'Speed',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'ball', value: ({ world, ball }) => speedOf(world, ball) }],
-    },
-    {
-      title: 'Height',
-      y: { label: 'y, px' },
-      series: [{ label: 'ball', value: ({ world, ball }) => -positionOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Speed', 'v, px/s', { label: 'ball', value: ({ world, ball }) => speedOf(world, ball) }),
+    plot('Height', 'y, px', { label: 'ball', value: ({ world, ball }) => -positionOf(world, ball).y }),
   ],
-  checks: [
-    {
-      // The ball dropped straight down, and has since gone to the right at the same speed.
-      label: 'Time of the first contact, √(2h/g) of a fall of 156.556 px',
-      unit: 's',
-      exact: CONTACT,
-      tolerance: { relative: 1e-3 },
-      at: { time: 1.8 },
-      measure: ({ world, ball }) => world.time - (positionOf(world, ball).x - 100) / velocityOf(world, ball).x,
-    },
-    {
-      label: 'Speed across the wall at the contact',
-      unit: 'px/s',
-      exact: 160.663,
-      tolerance: { relative: 1e-3 },
-      at: { until: 1.8, take: 'largest' },
-      measure: ({ world }) => (wallContacts(world).count === 0 ? 0 : wallContacts(world).speed[0]),
-    },
-    {
-      label: 'Velocity to the right after the first bounce',
-      unit: 'px/s',
-      exact: 121.189,
-      tolerance: { relative: 1e-3 },
-      at: { time: 1.8 },
-      measure: ({ rebound }) => rebound().x,
-    },
-    {
-      label: 'Velocity downwards after it',
-      unit: 'px/s',
-      exact: -85.626,
-      tolerance: { relative: 1e-3 },
-      at: { time: 1.8 },
-      measure: ({ rebound }) => rebound().y,
-    },
-    {
-      label: 'The part along the wall, as before the bounce',
-      unit: 'px/s',
-      exact: 74.152,
-      tolerance: { relative: 1e-3 },
-      at: { time: 1.8 },
-      measure: ({ rebound }) => rebound().x * ALONG.x + rebound().y * ALONG.y,
-    },
-    {
-      label: 'The part across it, e times that before',
-      unit: 'px/s',
-      exact: 128.531,
-      tolerance: { relative: 1e-3 },
-      at: { time: 1.8 },
-      measure: ({ rebound }) => rebound().x * ALONG.y - rebound().y * ALONG.x,
-    },
+  checks: ({ at, largest }) => [
+    // The ball dropped straight down, and has since gone to the right at the same speed.
+    at(
+      1.8,
+      'Time of the first contact, √(2h/g) of a fall of 156.556 px',
+      { exact: CONTACT, unit: 's', relative: 1e-3 },
+      ({ world, ball }) => world.time - (positionOf(world, ball).x - 100) / velocityOf(world, ball).x,
+    ),
+    largest(
+      1.8,
+      'Speed across the wall at the contact',
+      { exact: 160.663, unit: 'px/s', relative: 1e-3 },
+      ({ world }) => (wallContacts(world).count === 0 ? 0 : wallContacts(world).speed[0]),
+    ),
+    at(
+      1.8,
+      'Velocity to the right after the first bounce',
+      { exact: 121.189, unit: 'px/s', relative: 1e-3 },
+      ({ rebound }) => rebound().x,
+    ),
+    at(
+      1.8,
+      'Velocity downwards after it',
+      { exact: -85.626, unit: 'px/s', relative: 1e-3 },
+      ({ rebound }) => rebound().y,
+    ),
+    at(
+      1.8,
+      'The part along the wall, as before the bounce',
+      { exact: 74.152, unit: 'px/s', relative: 1e-3 },
+      ({ rebound }) => rebound().x * ALONG.x + rebound().y * ALONG.y,
+    ),
+    at(
+      1.8,
+      'The part across it, e times that before',
+      { exact: 128.531, unit: 'px/s', relative: 1e-3 },
+      ({ rebound }) => rebound().x * ALONG.y - rebound().y * ALONG.x,
+    ),
   ],
   tryThis: [
     'Choose “Elastic”: the bounces do not become lower, but longer and longer.',

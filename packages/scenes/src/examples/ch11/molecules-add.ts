@@ -82,36 +82,28 @@ export default defineExample({
     aims: true,
     release: ({ place }, at, from) => place(from, { x: at.x - from.x, y: at.y - from.y }),
   },
-  plots: [
-    {
-      title: 'Energy',
-      y: { label: 'E, J' },
-      series: [
-        { label: 'of the gas', value: ({ world }) => energy(world).kinetic },
-        { label: 'brought along', value: ({ gas }) => gas.brought },
-      ],
-    },
-    {
-      title: 'Molecules',
-      y: { label: 'number' },
-      series: [{ label: 'in the box', value: ({ gas }) => gas.ids.length }],
-    },
+  plots: (plot) => [
+    plot(
+      'Energy',
+      'E, J',
+      { label: 'of the gas', value: ({ world }) => energy(world).kinetic },
+      { label: 'brought along', value: ({ gas }) => gas.brought },
+    ),
+    plot('Molecules', 'number', { label: 'in the box', value: ({ gas }) => gas.ids.length }),
   ],
-  checks: [
-    {
-      label: 'Molecules after 30.5 s: 5, and one every two seconds',
-      exact: 20,
-      tolerance: { absolute: 0 },
-      at: { time: 30.5 },
-      measure: ({ gas }) => gas.ids.length,
-    },
-    {
-      label: 'Energy of the gas by what all molecules brought along',
-      exact: () => 1,
-      tolerance: { relative: 1e-9 },
-      at: { time: 45 },
-      measure: ({ world, gas }) => energy(world).kinetic / gas.brought,
-    },
+  checks: ({ at }) => [
+    at(
+      30.5,
+      'Molecules after 30.5 s: 5, and one every two seconds',
+      { exact: 20, absolute: 0 },
+      ({ gas }) => gas.ids.length,
+    ),
+    at(
+      45,
+      'Energy of the gas by what all molecules brought along',
+      { exact: () => 1, relative: 1e-9 },
+      ({ world, gas }) => energy(world).kinetic / gas.brought,
+    ),
   ],
   tryThis: [
     'Hold the key that adds molecules until the box is full: it takes sixty.',

@@ -81,49 +81,35 @@ export default defineExample({
       trails: [{ body: ids[0], length: 400, color: COLORS.yellow }],
     };
   },
-  plots: [
-    {
-      title: 'Mean energy',
-      y: { label: 'E, J' },
-      series: [
-        { label: 'light', value: ({ mean }) => mean(0) },
-        { label: 'heavy', value: ({ mean }) => mean(1) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Mean energy',
+      'E, J',
+      { label: 'light', value: ({ mean }) => mean(0) },
+      { label: 'heavy', value: ({ mean }) => mean(1) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Change of the whole energy in 60 s',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 60 },
-      measure: ({ world, start }) => energy(world).kinetic / start - 1,
-    },
-    {
-      label: 'Deepest overlap in 60 s',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1 },
-      at: { until: 60, take: 'largest' },
-      measure: ({ overlap }) => overlap(),
-    },
-    {
-      label: 'Mean energy of the light ones by that of all, over 300 s',
-      exact: 1,
-      tolerance: { relative: 0.1 },
-      at: { until: 300, take: 'mean' },
-      measure: ({ mean }) => (2 * mean(0)) / (mean(0) + mean(1)),
-      preset: 'A hundred molecules',
-    },
-    {
-      // In two dimensions k T is the mean energy of a molecule, so that N k T is the energy of all.
-      label: 'Pressure on the walls in 300 s by N k T/A',
-      exact: 1,
-      tolerance: { relative: 0.05 },
-      at: { time: 300 },
-      measure: ({ pressure, start }) => (pressure() * AREA) / start,
-      preset: 'A nearly ideal gas',
-    },
+  checks: ({ at, largest, mean }) => [
+    at(
+      60,
+      'Change of the whole energy in 60 s',
+      { exact: 0, absolute: 1e-9 },
+      ({ world, start }) => energy(world).kinetic / start - 1,
+    ),
+    largest(60, 'Deepest overlap in 60 s', { exact: 0, unit: 'px', absolute: 1 }, ({ overlap }) => overlap()),
+    mean(
+      300,
+      'Mean energy of the light ones by that of all, over 300 s',
+      { exact: 1, relative: 0.1, preset: 'A hundred molecules' },
+      ({ mean }) => (2 * mean(0)) / (mean(0) + mean(1)),
+    ),
+    // In two dimensions k T is the mean energy of a molecule, so that N k T is the energy of all.
+    at(
+      300,
+      'Pressure on the walls in 300 s by N k T/A',
+      { exact: 1, relative: 0.05, preset: 'A nearly ideal gas' },
+      ({ pressure, start }) => (pressure() * AREA) / start,
+    ),
   ],
   tryThis: [
     'Follow the yellow trail: a molecule moves in straight lines from one collision to the next, and never knows where it goes.',

@@ -45,33 +45,15 @@ export default defineExample({
       trails: balls.slice(0, 5).map((body) => ({ body, length: 120 })),
     };
   },
-  plots: [
-    {
-      title: 'Change of the energy',
-      y: { label: 'fraction of m g · 310 px' },
-      series: [{ label: 'all', value: ({ loss }) => loss() }],
-    },
-    {
-      title: 'Balls outside',
-      y: { label: 'number' },
-      series: [{ label: 'escaped', value: ({ escaped }) => escaped() }],
-    },
+  plots: (plot) => [
+    plot('Change of the energy', 'fraction of m g · 310 px', { label: 'all', value: ({ loss }) => loss() }),
+    plot('Balls outside', 'number', { label: 'escaped', value: ({ escaped }) => escaped() }),
   ],
-  checks: [
-    {
-      label: 'Most balls outside at any time',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 600, take: 'largest' },
-      measure: ({ escaped }) => escaped(),
-    },
-    {
-      label: 'Largest change of the energy in ten minutes',
-      exact: 0,
-      tolerance: { absolute: 0.005 },
-      at: { until: 600, take: 'largest' },
-      measure: ({ loss }) => Math.abs(loss()),
-    },
+  checks: ({ largest }) => [
+    largest(600, 'Most balls outside at any time', { exact: 0, absolute: 0 }, ({ escaped }) => escaped()),
+    largest(600, 'Largest change of the energy in ten minutes', { exact: 0, absolute: 0.005 }, ({ loss }) =>
+      Math.abs(loss()),
+    ),
   ],
   tryThis: [
     'Choose “Dust”: the balls start close together, and soon are everywhere.',

@@ -49,37 +49,25 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.3)],
     };
   },
-  plots: [
-    {
-      title: 'Change of the energy',
-      y: { label: 'fraction of m g · 310 px' },
-      series: [{ label: 'both', value: ({ loss }) => loss() }],
-    },
-    {
-      title: 'Places',
-      y: { label: 'x, px' },
-      series: [
-        { label: 'ball', value: ({ world, ball }) => positionOf(world, ball).x },
-        { label: 'second ball', value: ({ world, twin }) => positionOf(world, twin).x },
-      ],
-    },
+  plots: (plot) => [
+    plot('Change of the energy', 'fraction of m g · 310 px', { label: 'both', value: ({ loss }) => loss() }),
+    plot(
+      'Places',
+      'x, px',
+      { label: 'ball', value: ({ world, ball }) => positionOf(world, ball).x },
+      { label: 'second ball', value: ({ world, twin }) => positionOf(world, twin).x },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest change of the energy in 60 s, of m g · 310 px',
-      exact: 0,
-      tolerance: { absolute: 0.005 },
-      at: { until: 60, take: 'largest' },
-      measure: ({ loss }) => Math.abs(loss()),
-    },
-    {
-      label: 'Deepest that a ball is ever in an outer wall',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { until: 60, take: 'largest' },
-      measure: ({ outside }) => Math.max(0, outside()),
-    },
+  checks: ({ largest }) => [
+    largest(60, 'Largest change of the energy in 60 s, of m g · 310 px', { exact: 0, absolute: 0.005 }, ({ loss }) =>
+      Math.abs(loss()),
+    ),
+    largest(
+      60,
+      'Deepest that a ball is ever in an outer wall',
+      { exact: 0, unit: 'px', absolute: 1e-9 },
+      ({ outside }) => Math.max(0, outside()),
+    ),
   ],
   tryThis: [
     'Watch the two balls, which start a thousandth of a pixel apart: how many bounces does it take until you can tell them apart?',

@@ -41,60 +41,46 @@ export default defineExample({
       arrows: [velocityArrow(world, ball, 0.3)],
     };
   },
-  plots: [
-    {
-      title: 'Velocity',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'along x', value: ({ world, ball }) => velocityOf(world, ball).x },
-        { label: 'along y', value: ({ world, ball }) => velocityOf(world, ball).y },
-      ],
-    },
-    { title: 'Energy', y: { label: 'E, J' }, series: [{ label: 'ball', value: ({ world }) => energy(world).kinetic }] },
+  plots: (plot) => [
+    plot(
+      'Velocity',
+      'v, px/s',
+      { label: 'along x', value: ({ world, ball }) => velocityOf(world, ball).x },
+      { label: 'along y', value: ({ world, ball }) => velocityOf(world, ball).y },
+    ),
+    plot('Energy', 'E, J', { label: 'ball', value: ({ world }) => energy(world).kinetic }),
   ],
-  checks: [
-    {
-      label: 'Time of the bounce',
-      unit: 's',
-      exact: 1.425,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 2 },
-      measure: ({ world, since }) => world.time - since(),
-    },
-    {
-      label: 'Height of the bounce',
-      unit: 'px',
-      exact: 171.25,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 2 },
-      measure: ({ world, ball, since }) => positionOf(world, ball).y - VY * since(),
-    },
-    {
-      label: 'Speed after the bounce: the same to the last bit',
-      unit: 'px/s',
-      exact: Math.sqrt(VX * VX + VY * VY),
-      tolerance: { absolute: 0 },
-      at: { time: 2 },
-      measure: ({ world, ball }) => speedOf(world, ball),
-    },
-    {
-      label: 'Energy lost to an inelastic wall, (1 − e²) ½ m v²',
-      unit: 'J',
-      exact: 7200,
-      tolerance: { relative: 1e-9 },
-      at: { time: 2 },
-      measure: ({ world }) => (VX * VX + VY * VY) / 2 - energy(world).kinetic,
-      preset: 'Inelastic wall',
-    },
-    {
-      label: 'Speed along an inelastic wall: unchanged',
-      unit: 'px/s',
-      exact: VY,
-      tolerance: { absolute: 0 },
-      at: { time: 2 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-      preset: 'Inelastic wall',
-    },
+  checks: ({ at }) => [
+    at(
+      2,
+      'Time of the bounce',
+      { exact: 1.425, unit: 's', absolute: 1e-9 },
+      ({ world, since }) => world.time - since(),
+    ),
+    at(
+      2,
+      'Height of the bounce',
+      { exact: 171.25, unit: 'px', absolute: 1e-9 },
+      ({ world, ball, since }) => positionOf(world, ball).y - VY * since(),
+    ),
+    at(
+      2,
+      'Speed after the bounce: the same to the last bit',
+      { exact: Math.sqrt(VX * VX + VY * VY), unit: 'px/s', absolute: 0 },
+      ({ world, ball }) => speedOf(world, ball),
+    ),
+    at(
+      2,
+      'Energy lost to an inelastic wall, (1 − e²) ½ m v²',
+      { exact: 7200, unit: 'J', relative: 1e-9, preset: 'Inelastic wall' },
+      ({ world }) => (VX * VX + VY * VY) / 2 - energy(world).kinetic,
+    ),
+    at(
+      2,
+      'Speed along an inelastic wall: unchanged',
+      { exact: VY, unit: 'px/s', absolute: 0, preset: 'Inelastic wall' },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'Choose “Inelastic wall”: after each bounce the ball leaves at a flatter angle to the wall.',

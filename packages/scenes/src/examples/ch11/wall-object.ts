@@ -62,54 +62,30 @@ export default defineExample({
       velocityArrow(world, ball, 0.4),
     ],
   }),
-  plots: [
-    {
-      title: 'The two parts of the velocity',
-      y: { label: 'v, px/s' },
-      series: [
-        { label: 'along the wall', value: ({ along }) => along() },
-        { label: 'along the normal', value: ({ against }) => against() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'The two parts of the velocity',
+      'v, px/s',
+      { label: 'along the wall', value: ({ along }) => along() },
+      { label: 'along the normal', value: ({ against }) => against() },
+    ),
   ],
-  checks: [
-    {
-      label: 'Normal of the wall, x',
-      exact: 0.8,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 0 },
-      measure: () => NORMAL.x,
-    },
-    {
-      label: 'Normal of the wall, y',
-      exact: -0.6,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 0 },
-      measure: () => NORMAL.y,
-    },
-    {
-      label: 'Normal times direction',
-      exact: 0,
-      tolerance: { absolute: 1e-13 },
-      at: { time: 0 },
-      measure: () => NORMAL.x * WAY.x + NORMAL.y * WAY.y,
-    },
-    {
-      label: 'Velocity along the wall after the bounce, v sin α',
-      unit: 'px/s',
-      exact: ({ angle }) => -SPEED * sin((angle * Math.PI) / 180),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 3 },
-      measure: ({ along }) => along(),
-    },
-    {
-      label: 'Velocity along the normal after the bounce, v cos α',
-      unit: 'px/s',
-      exact: ({ angle }) => SPEED * cos((angle * Math.PI) / 180),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 3 },
-      measure: ({ against }) => against(),
-    },
+  checks: ({ at }) => [
+    at(0, 'Normal of the wall, x', { exact: 0.8, absolute: 1e-15 }, () => NORMAL.x),
+    at(0, 'Normal of the wall, y', { exact: -0.6, absolute: 1e-15 }, () => NORMAL.y),
+    at(0, 'Normal times direction', { exact: 0, absolute: 1e-13 }, () => NORMAL.x * WAY.x + NORMAL.y * WAY.y),
+    at(
+      3,
+      'Velocity along the wall after the bounce, v sin α',
+      { exact: ({ angle }) => -SPEED * sin((angle * Math.PI) / 180), unit: 'px/s', absolute: 1e-9 },
+      ({ along }) => along(),
+    ),
+    at(
+      3,
+      'Velocity along the normal after the bounce, v cos α',
+      { exact: ({ angle }) => SPEED * cos((angle * Math.PI) / 180), unit: 'px/s', absolute: 1e-9 },
+      ({ against }) => against(),
+    ),
   ],
   tryThis: ['Let it come along the normal, at 0°: it goes back the way it came.'],
 });

@@ -61,49 +61,28 @@ export default defineExample({
       labels: [{ at: { x: 20, y: 580 }, text: () => `${emitterCounts(emitter).alive} particles` }],
     };
   },
-  plots: [
-    {
-      title: 'Particles',
-      y: { label: 'number' },
-      series: [{ label: 'alive', value: ({ emitter }) => emitterCounts(emitter).alive }],
-    },
-    {
-      title: 'Speed of the ball that falls',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'ball', value: ({ world, ball }) => velocityOf(world, ball).y }],
-    },
+  plots: (plot) => [
+    plot('Particles', 'number', { label: 'alive', value: ({ emitter }) => emitterCounts(emitter).alive }),
+    plot('Speed of the ball that falls', 'v, px/s', {
+      label: 'ball',
+      value: ({ world, ball }) => velocityOf(world, ball).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Particles after 2 s',
-      exact: 60,
-      tolerance: { absolute: 1 },
-      at: { time: 2 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-    },
-    {
-      label: 'Particles after 10 s',
-      exact: 120,
-      tolerance: { absolute: 0 },
-      at: { time: 10 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-    },
-    {
-      label: 'Age at which they are used again: that of all by the number of births a second',
-      unit: 's',
-      exact: 4,
-      tolerance: { absolute: 1 / 30 },
-      at: { time: 10 },
-      measure: ({ emitter }) => 10 - emitterCounts(emitter).ended / 30,
-    },
-    {
-      label: 'Speed after a fall of 10 s; the terminal speed is 81.65',
-      unit: 'px/s',
-      exact: TERMINAL * tanh((GRAVITY / TERMINAL) * 10),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-    },
+  checks: ({ at }) => [
+    at(2, 'Particles after 2 s', { exact: 60, absolute: 1 }, ({ emitter }) => emitterCounts(emitter).alive),
+    at(10, 'Particles after 10 s', { exact: 120, absolute: 0 }, ({ emitter }) => emitterCounts(emitter).alive),
+    at(
+      10,
+      'Age at which they are used again: that of all by the number of births a second',
+      { exact: 4, unit: 's', absolute: 1 / 30 },
+      ({ emitter }) => 10 - emitterCounts(emitter).ended / 30,
+    ),
+    at(
+      10,
+      'Speed after a fall of 10 s; the terminal speed is 81.65',
+      { exact: TERMINAL * tanh((GRAVITY / TERMINAL) * 10), unit: 'px/s', relative: 1e-3 },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'Make 300 the most: the stream reaches further down before it is used again.',

@@ -69,42 +69,32 @@ export default defineExample({
       trails: [{ body: speck, length: 300 }],
     };
   },
-  plots: [
-    {
-      title: 'Speed of the ember',
-      y: { label: 'v upwards, px/s' },
-      series: [{ label: 'ember', value: ({ world, speck }) => -velocityOf(world, speck).y }],
-    },
-    {
-      title: 'Flames',
-      y: { label: 'number' },
-      series: [{ label: 'visible', value: ({ emitter }) => emitterCounts(emitter).alive }],
-    },
+  plots: (plot) => [
+    plot('Speed of the ember', 'v upwards, px/s', {
+      label: 'ember',
+      value: ({ world, speck }) => -velocityOf(world, speck).y,
+    }),
+    plot('Flames', 'number', { label: 'visible', value: ({ emitter }) => emitterCounts(emitter).alive }),
   ],
-  checks: [
-    {
-      label: 'Flames that are visible, the rate times the life',
-      exact: ({ rate, life }) => rate * life,
-      tolerance: { absolute: 1 },
-      at: { time: 10 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-    },
-    {
-      label: 'Speed of the ember after 10 s; the limit is 25.82',
-      unit: 'px/s',
-      exact: RISE / tanh((BUOYANCY / RISE) * 10 + atanh(RISE / 100)),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, speck }) => -velocityOf(world, speck).y,
-    },
-    {
-      label: 'How much a flame grows in its life, 1.01 to the power of 25',
-      unit: '×',
-      exact: 1.282,
-      tolerance: { absolute: 5e-4 },
-      at: { time: 0 },
-      measure: () => GROWTH,
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Flames that are visible, the rate times the life',
+      { exact: ({ rate, life }) => rate * life, absolute: 1 },
+      ({ emitter }) => emitterCounts(emitter).alive,
+    ),
+    at(
+      10,
+      'Speed of the ember after 10 s; the limit is 25.82',
+      { exact: RISE / tanh((BUOYANCY / RISE) * 10 + atanh(RISE / 100)), unit: 'px/s', relative: 1e-3 },
+      ({ world, speck }) => -velocityOf(world, speck).y,
+    ),
+    at(
+      0,
+      'How much a flame grows in its life, 1.01 to the power of 25',
+      { exact: 1.282, unit: '×', absolute: 5e-4 },
+      () => GROWTH,
+    ),
   ],
   tryThis: [
     'Choose “A blaze”: fourteen times as many flames, and taller ones, because they live longer.',

@@ -80,47 +80,31 @@ export default defineExample({
       hand.since = -1;
     },
   },
-  plots: [
-    {
-      title: 'Sparks',
-      y: { label: 'number' },
-      series: [{ label: 'alive', value: ({ chain }) => chain.alive() }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Sparks of the first burst, 2 for each whole second',
-      exact: ({ held, copies }) => copies * sparksOf(held),
-      tolerance: { absolute: 0 },
-      at: { time: 1 },
-      measure: ({ chain }) => chain.born(),
-    },
-    {
-      label: 'Born in all, on average of 25 that were held for 2.5 s',
-      exact: 52,
-      // Of 4 × 4 sparks half burst into 4: the deviation is 4 √8 for each of 25; three and a half standard errors.
-      tolerance: { absolute: (3.5 * 4 * Math.sqrt(8)) / 5 },
-      at: { time: 10.5 },
-      measure: ({ chain, copies }) => chain.born() / copies,
-      preset: 'Twenty-five at once',
-    },
-    {
-      label: 'Born in all, on average of 25 that were held for 1.5 s',
-      exact: 10,
-      // Of 2 × 2 sparks half burst into 2: 2 (1/3 + 1/3) of them is the variance.
-      tolerance: { absolute: (3.5 * 2 * Math.sqrt(4 / 3)) / 5 },
-      at: { time: 10.5 },
-      measure: ({ chain, copies }) => chain.born() / copies,
-      preset: 'Twenty-five small ones',
-    },
-    {
-      label: 'Born if held for less than a second',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 5 },
-      measure: ({ chain }) => chain.born(),
-      preset: 'Held too short',
-    },
+  plots: (plot) => [plot('Sparks', 'number', { label: 'alive', value: ({ chain }) => chain.alive() })],
+  checks: ({ at }) => [
+    at(
+      1,
+      'Sparks of the first burst, 2 for each whole second',
+      { exact: ({ held, copies }) => copies * sparksOf(held), absolute: 0 },
+      ({ chain }) => chain.born(),
+    ),
+    // Of 4 × 4 sparks half burst into 4: the deviation is 4 √8 for each of 25; three and a half standard errors.
+    at(
+      10.5,
+      'Born in all, on average of 25 that were held for 2.5 s',
+      { exact: 52, absolute: (3.5 * 4 * Math.sqrt(8)) / 5, preset: 'Twenty-five at once' },
+      ({ chain, copies }) => chain.born() / copies,
+    ),
+    // Of 2 × 2 sparks half burst into 2: 2 (1/3 + 1/3) of them is the variance.
+    at(
+      10.5,
+      'Born in all, on average of 25 that were held for 1.5 s',
+      { exact: 10, absolute: (3.5 * 2 * Math.sqrt(4 / 3)) / 5, preset: 'Twenty-five small ones' },
+      ({ chain, copies }) => chain.born() / copies,
+    ),
+    at(5, 'Born if held for less than a second', { exact: 0, absolute: 0, preset: 'Held too short' }, ({ chain }) =>
+      chain.born(),
+    ),
   ],
   tryThis: [
     'Hold the key, or press the picture, for five seconds, and then let go.',

@@ -34,56 +34,44 @@ export default defineExample({
       labels: [{ at: { x: 20, y: 480 }, text: () => `${chain.alive()} sparks, ${chain.born()} born` }],
     };
   },
-  plots: [
-    {
-      title: 'Sparks',
-      y: { label: 'number' },
-      series: [
-        { label: 'alive', value: ({ chain }) => chain.alive() },
-        { label: 'born', value: ({ chain }) => chain.born() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Sparks',
+      'number',
+      { label: 'alive', value: ({ chain }) => chain.alive() },
+      { label: 'born', value: ({ chain }) => chain.born() },
+    ),
   ],
-  checks: [
-    {
-      label: 'Sparks at first',
-      exact: ({ count, copies }) => copies * count,
-      tolerance: { absolute: 0 },
-      at: { time: 1 },
-      measure: ({ chain }) => chain.alive(),
-    },
-    {
-      label: 'Sparks born in all: 10 + 100, and 500 expected',
-      exact: EXPECTED,
-      // Three and a half standard deviations.
-      tolerance: { absolute: 3.5 * DEVIATION },
-      at: { time: 10.5 },
-      measure: ({ chain }) => chain.born(),
-    },
-    {
-      label: 'Born in all, on average of nine: 613 were counted in 300 others',
-      exact: 613,
-      // A third of that of one.
-      tolerance: { absolute: (3.5 * DEVIATION) / 3 },
-      at: { time: 10.5 },
-      measure: ({ chain, copies }) => chain.born() / copies,
-      preset: 'Nine at once',
-    },
-    {
-      label: 'Most at a time, on average of nine: 553 in 300 others',
-      exact: 553,
-      tolerance: { absolute: (3.5 * DEVIATION) / 3 },
-      at: { until: 10.5, take: 'largest' },
-      measure: ({ chain, copies }) => chain.alive() / copies,
-      preset: 'Nine at once',
-    },
-    {
-      label: 'Sparks after 10.1 s: the last was born before 6 s and lived 4 s at most',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 10.1 },
-      measure: ({ chain }) => chain.alive(),
-    },
+  checks: ({ at, largest }) => [
+    at(1, 'Sparks at first', { exact: ({ count, copies }) => copies * count, absolute: 0 }, ({ chain }) =>
+      chain.alive(),
+    ),
+    // Three and a half standard deviations.
+    at(
+      10.5,
+      'Sparks born in all: 10 + 100, and 500 expected',
+      { exact: EXPECTED, absolute: 3.5 * DEVIATION },
+      ({ chain }) => chain.born(),
+    ),
+    // A third of that of one.
+    at(
+      10.5,
+      'Born in all, on average of nine: 613 were counted in 300 others',
+      { exact: 613, absolute: (3.5 * DEVIATION) / 3, preset: 'Nine at once' },
+      ({ chain, copies }) => chain.born() / copies,
+    ),
+    largest(
+      10.5,
+      'Most at a time, on average of nine: 553 in 300 others',
+      { exact: 553, absolute: (3.5 * DEVIATION) / 3, preset: 'Nine at once' },
+      ({ chain, copies }) => chain.alive() / copies,
+    ),
+    at(
+      10.1,
+      'Sparks after 10.1 s: the last was born before 6 s and lived 4 s at most',
+      { exact: 0, absolute: 0 },
+      ({ chain }) => chain.alive(),
+    ),
   ],
   tryThis: [
     'Halve the sparks of a burst: there are six or seven times fewer in all, because there are three generations.',

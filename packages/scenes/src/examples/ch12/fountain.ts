@@ -75,35 +75,28 @@ export default defineExample({
       }),
     };
   },
-  plots: [
-    { title: 'Drops in the air', y: { label: 'number' }, series: [{ label: 'all', value: ({ count }) => count() }] },
-  ],
-  checks: [
-    {
-      label: 'Apex of the middle jet, v²/2g',
-      unit: 'px',
-      exact: 250,
-      // A drop that is born within a step moves on straight until its end: up to v dt too far.
-      tolerance: { absolute: 100 / 60 },
-      at: { until: 15, take: 'largest' },
-      measure: ({ highest }) => highest(),
-    },
-    {
-      label: 'Reach of the outer jets, v² sin 120°/g',
-      unit: 'px',
-      exact: 433.013,
-      tolerance: { absolute: 100 / 60 },
-      at: { until: 15, take: 'largest' },
-      measure: ({ widest }) => widest(),
-    },
-    {
-      label: 'Drops in the air, the rate times 2 v sin θ/g of all jets',
-      exact: ({ speed, rate }) =>
-        ANGLES.reduce((sum, degrees) => sum + (rate * 2 * speed * sin((degrees * Math.PI) / 180)) / GRAVITY, 0),
-      tolerance: { absolute: ANGLES.length },
-      at: { time: 15 },
-      measure: ({ count }) => count(),
-    },
+  plots: (plot) => [plot('Drops in the air', 'number', { label: 'all', value: ({ count }) => count() })],
+  checks: ({ at, largest }) => [
+    // A drop that is born within a step moves on straight until its end: up to v dt too far.
+    largest(15, 'Apex of the middle jet, v²/2g', { exact: 250, unit: 'px', absolute: 100 / 60 }, ({ highest }) =>
+      highest(),
+    ),
+    largest(
+      15,
+      'Reach of the outer jets, v² sin 120°/g',
+      { exact: 433.013, unit: 'px', absolute: 100 / 60 },
+      ({ widest }) => widest(),
+    ),
+    at(
+      15,
+      'Drops in the air, the rate times 2 v sin θ/g of all jets',
+      {
+        exact: ({ speed, rate }) =>
+          ANGLES.reduce((sum, degrees) => sum + (rate * 2 * speed * sin((degrees * Math.PI) / 180)) / GRAVITY, 0),
+        absolute: ANGLES.length,
+      },
+      ({ count }) => count(),
+    ),
   ],
   tryThis: [
     'Double the speed from 50 to 100: the fountain becomes four times as high.',

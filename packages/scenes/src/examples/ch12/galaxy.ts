@@ -82,47 +82,30 @@ export default defineExample({
       fills: [{ shape: { minX: -3000, maxX: 4000, minY: -3000, maxY: 4000 }, color: 0x05070f }],
     };
   },
-  plots: [
-    {
-      title: 'Mean distance of the stars from the centre',
-      y: { label: 'r, px' },
-      series: [
-        {
-          label: 'stars',
-          value: ({ world, stars }: Run) =>
-            stars.reduce((sum, id) => sum + distanceBetween(positionOf(world, id), CENTRE), 0) / stars.length,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Mean distance of the stars from the centre', 'r, px', {
+      label: 'stars',
+      value: ({ world, stars }: Run) =>
+        stars.reduce((sum, id) => sum + distanceBetween(positionOf(world, id), CENTRE), 0) / stars.length,
+    }),
   ],
-  checks: [
-    {
-      label: 'Dark matter within 300 px',
-      unit: 'kg',
-      exact: 2.3987e5,
-      tolerance: { relative: 1e-5 },
-      at: { time: 0 },
-      measure: () => DARK[300],
-    },
-    ...SPEEDS.map(([r, exact]) => ({
-      label: `Speed on a circle at ${r} px, √(GM/r)`,
-      unit: 'px/s',
-      exact,
-      tolerance: { absolute: 5e-3 },
-      at: { time: 0 },
-      measure: ({ speedOn }: Run) => speedOn(r),
-    })),
-    {
-      label: 'Largest change of a star’s distance in 30 s, of the distance',
-      exact: 0,
-      tolerance: { absolute: 0.02 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, stars, starts }: Run) =>
+  checks: ({ at, largest }) => [
+    at(0, 'Dark matter within 300 px', { exact: 2.3987e5, unit: 'kg', relative: 1e-5 }, () => DARK[300]),
+    ...SPEEDS.map(([r, exact]) =>
+      at(0, `Speed on a circle at ${r} px, √(GM/r)`, { exact, unit: 'px/s', absolute: 5e-3 }, ({ speedOn }: Run) =>
+        speedOn(r),
+      ),
+    ),
+    largest(
+      30,
+      'Largest change of a star’s distance in 30 s, of the distance',
+      { exact: 0, absolute: 0.02 },
+      ({ world, stars, starts }: Run) =>
         stars.reduce((most, id, i) => {
           const r = distanceBetween(positionOf(world, id), CENTRE);
           return Math.max(most, Math.abs(r / starts[i] - 1));
         }, 0),
-    },
+    ),
   ],
   tryThis: [
     'Choose “Without dark matter”: the stars are too fast for what is left, and the galaxy spreads.',

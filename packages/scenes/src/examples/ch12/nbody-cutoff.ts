@@ -47,32 +47,20 @@ export default defineExample({
       trails: ids.slice(0, 12).map((body) => ({ body, length: 500, interval: 4 })),
     };
   },
-  plots: [
-    {
-      title: 'Energy',
-      y: { label: 'E, J' },
-      series: [
-        { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
-        { label: 'potential', value: ({ world }) => energy(world).potential },
-        { label: 'total', value: ({ world }) => energy(world).total },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Energy',
+      'E, J',
+      { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
+      { label: 'potential', value: ({ world }) => energy(world).potential },
+      { label: 'total', value: ({ world }) => energy(world).total },
+    ),
   ],
-  checks: [
-    {
-      label: 'Change of the momentum in 100 s, by the sum of all sizes',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 100 },
-      measure: ({ drift }) => drift(),
-    },
-    {
-      label: 'Change of the energy in 100 s',
-      exact: 0,
-      tolerance: { absolute: 0.01 },
-      at: { time: 100 },
-      measure: ({ loss }) => loss(),
-    },
+  checks: ({ at }) => [
+    at(100, 'Change of the momentum in 100 s, by the sum of all sizes', { exact: 0, absolute: 1e-10 }, ({ drift }) =>
+      drift(),
+    ),
+    at(100, 'Change of the energy in 100 s', { exact: 0, absolute: 0.01 }, ({ loss }) => loss()),
   ],
   tryThis: [
     'Turn gravity off: the cloud slowly spreads.',

@@ -38,26 +38,20 @@ export default defineExample({
       trails: flights.ids.map((body) => ({ body, length: 1500, interval: 3, color: 0xb8c2e8 })),
     };
   },
-  plots: [
-    {
-      title: 'Launches',
-      y: { label: 'number' },
-      series: [{ label: 'launches', value: ({ flights }) => flights.launches() }],
-    },
-    {
-      title: 'Largest error of the energy of a flight',
-      y: { label: 'fraction' },
-      series: [{ label: 'error', value: ({ flights }) => flights.worst() }],
-    },
+  plots: (plot) => [
+    plot('Launches', 'number', { label: 'launches', value: ({ flights }) => flights.launches() }),
+    plot('Largest error of the energy of a flight', 'fraction', {
+      label: 'error',
+      value: ({ flights }) => flights.worst(),
+    }),
   ],
-  checks: [
-    {
-      label: 'Largest error of the energy of a flight, before it enters an attractor',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 40 },
-      measure: ({ flights }) => flights.worst(),
-    },
+  checks: ({ at }) => [
+    at(
+      40,
+      'Largest error of the energy of a flight, before it enters an attractor',
+      { exact: 0, absolute: 1e-3 },
+      ({ flights }) => flights.worst(),
+    ),
   ],
   tryThis: [
     'Choose “No field”: all paths are straight lines.',

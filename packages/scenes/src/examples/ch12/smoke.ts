@@ -67,43 +67,33 @@ export default defineExample({
       trails: [{ body: speck, length: 600 }],
     };
   },
-  plots: [
-    {
-      title: 'Speed of the speck of ash',
-      y: { label: 'v upwards, px/s' },
-      series: [{ label: 'ash', value: ({ world, speck }) => -velocityOf(world, speck).y }],
-    },
-    {
-      title: 'Puffs',
-      y: { label: 'number' },
-      series: [{ label: 'visible', value: ({ emitter }) => emitterCounts(emitter).alive }],
-    },
+  plots: (plot) => [
+    plot('Speed of the speck of ash', 'v upwards, px/s', {
+      label: 'ash',
+      value: ({ world, speck }) => -velocityOf(world, speck).y,
+    }),
+    plot('Puffs', 'number', { label: 'visible', value: ({ emitter }) => emitterCounts(emitter).alive }),
   ],
-  checks: [
-    {
-      label: 'Puffs that are visible, the rate times 3.33 s',
-      exact: ({ rate }) => rate * LIFE,
-      tolerance: { absolute: 1 },
-      at: { time: 10 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-    },
-    {
-      label: 'Speed after 10 s; the limit is 31.62',
-      unit: 'px/s',
-      // From above, v = v_T coth(a t/v_T + artanh(v_T/v₀)).
-      exact: RISE / tanh((BUOYANCY / RISE) * 10 + atanh(RISE / 120)),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, speck }) => -velocityOf(world, speck).y,
-    },
-    {
-      label: 'How much a puff grows in its life, 1.01 to the power of 100',
-      unit: '×',
-      exact: 2.705,
-      tolerance: { absolute: 5e-4 },
-      at: { time: 0 },
-      measure: () => GROWTH,
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Puffs that are visible, the rate times 3.33 s',
+      { exact: ({ rate }) => rate * LIFE, absolute: 1 },
+      ({ emitter }) => emitterCounts(emitter).alive,
+    ),
+    // From above, v = v_T coth(a t/v_T + artanh(v_T/v₀)).
+    at(
+      10,
+      'Speed after 10 s; the limit is 31.62',
+      { exact: RISE / tanh((BUOYANCY / RISE) * 10 + atanh(RISE / 120)), unit: 'px/s', relative: 1e-3 },
+      ({ world, speck }) => -velocityOf(world, speck).y,
+    ),
+    at(
+      0,
+      'How much a puff grows in its life, 1.01 to the power of 100',
+      { exact: 2.705, unit: '×', absolute: 5e-4 },
+      () => GROWTH,
+    ),
   ],
   tryThis: [
     'Choose “In the wind”: the plume bends over, and its far end moves nearly as fast as the wind.',

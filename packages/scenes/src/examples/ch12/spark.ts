@@ -47,35 +47,18 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Opacity of a spark that fades',
-      y: { label: 'opacity' },
-      series: [{ label: 'opacity', value: ({ fade }) => fade() }],
-    },
+  plots: (plot) => [
+    plot('Opacity of a spark that fades', 'opacity', { label: 'opacity', value: ({ fade }) => fade() }),
   ],
-  checks: [
-    {
-      label: 'Red of yellow at an opacity of 0.5 over black',
-      exact: 127.5,
-      tolerance: { absolute: 2 },
-      at: { time: 0 },
-      measure: ({ blended }) => blended[0],
-    },
-    {
-      label: 'Blue of it',
-      exact: 0,
-      tolerance: { absolute: 2 },
-      at: { time: 0 },
-      measure: ({ blended }) => blended[2],
-    },
-    {
-      label: 'What a pile of n covers, 1 − (1 − opacity)ⁿ',
-      exact: 1 - 0.5 ** 4,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ pile }) => pile / 255,
-    },
+  checks: ({ at }) => [
+    at(0, 'Red of yellow at an opacity of 0.5 over black', { exact: 127.5, absolute: 2 }, ({ blended }) => blended[0]),
+    at(0, 'Blue of it', { exact: 0, absolute: 2 }, ({ blended }) => blended[2]),
+    at(
+      0,
+      'What a pile of n covers, 1 − (1 − opacity)ⁿ',
+      { exact: 1 - 0.5 ** 4, absolute: 1e-12 },
+      ({ pile }) => pile / 255,
+    ),
   ],
   tryThis: ['Choose “Faint, but many”: ten sparks that one hardly sees make a bright heap. So flames are painted.'],
 });

@@ -50,42 +50,32 @@ export default defineExample({
       labels: [{ at: { x: 20, y: 480 }, text: () => `${emitterCounts(emitter).alive} sparks` }],
     };
   },
-  plots: [
-    {
-      title: 'Sparks',
-      y: { label: 'number' },
-      series: [
-        {
-          label: 'alive',
-          value: ({ emitter }) => emitterCounts(emitter).alive,
-          exact: (t, { rate, life }) => rate * Math.min(t, life),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Sparks', 'number', {
+      label: 'alive',
+      value: ({ emitter }) => emitterCounts(emitter).alive,
+      exact: (t, { rate, life }) => rate * Math.min(t, life),
+    }),
   ],
-  checks: [
-    {
-      label: 'Sparks after 5 s: none has died',
-      exact: 300,
-      tolerance: { absolute: 1 },
-      at: { time: 5 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-    },
-    {
-      label: 'Sparks after 25 s, the rate times the mean life',
-      exact: ({ rate, life }) => rate * life,
-      tolerance: { relative: 0.05 },
-      at: { time: 25 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-    },
-    {
-      label: 'The same for many that die soon: 200 · 2.1',
-      exact: 420,
-      tolerance: { relative: 0.05 },
-      at: { time: 25 },
-      measure: ({ emitter }) => emitterCounts(emitter).alive,
-      preset: 'Many that die soon',
-    },
+  checks: ({ at }) => [
+    at(
+      5,
+      'Sparks after 5 s: none has died',
+      { exact: 300, absolute: 1 },
+      ({ emitter }) => emitterCounts(emitter).alive,
+    ),
+    at(
+      25,
+      'Sparks after 25 s, the rate times the mean life',
+      { exact: ({ rate, life }) => rate * life, relative: 0.05 },
+      ({ emitter }) => emitterCounts(emitter).alive,
+    ),
+    at(
+      25,
+      'The same for many that die soon: 200 · 2.1',
+      { exact: 420, relative: 0.05, preset: 'Many that die soon' },
+      ({ emitter }) => emitterCounts(emitter).alive,
+    ),
   ],
   tryThis: [
     'Choose “Many that die soon”: the number is the same, but it is reached after two seconds.',

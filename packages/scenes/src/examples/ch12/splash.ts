@@ -84,19 +84,11 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Height of the highest droplet',
-      y: { label: 'of what it can reach' },
-      series: [{ label: 'height', value: ({ reach }) => reach() }],
-    },
-    {
-      title: 'Splashes',
-      y: { label: 'number' },
-      series: [{ label: 'so far', value: ({ splash }) => splash.count }],
-    },
+  plots: (plot) => [
+    plot('Height of the highest droplet', 'of what it can reach', { label: 'height', value: ({ reach }) => reach() }),
+    plot('Splashes', 'number', { label: 'so far', value: ({ splash }) => splash.count }),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Time between two splashes, 410 px at 100 px/s',
       unit: 's',
@@ -104,21 +96,16 @@ export default defineExample({
       tolerance: { absolute: 1e-9 },
       at: { event: ({ world, drop }) => 300 - positionOf(world, drop).y, from: 1, to: 2 },
     },
-    {
-      label: 'Droplets of each splash',
-      exact: DROPLETS,
-      tolerance: { absolute: 0 },
-      at: { time: 40 },
-      measure: ({ emitter, splash }) => emitterCounts(emitter).born / splash.count,
-    },
-    {
-      label: 'Highest droplet of ten splashes, by 12.66 (r/8)³ px',
-      // Of 200 speeds between 7.5 and 22.5 the largest is below 0.95 of 22.5 once in ten million times.
-      exact: 1,
-      tolerance: { absolute: 0.1 },
-      at: { until: 44, take: 'largest' },
-      measure: ({ reach }) => reach(),
-    },
+    at(
+      40,
+      'Droplets of each splash',
+      { exact: DROPLETS, absolute: 0 },
+      ({ emitter, splash }) => emitterCounts(emitter).born / splash.count,
+    ),
+    // Of 200 speeds between 7.5 and 22.5 the largest is below 0.95 of 22.5 once in ten million times.
+    largest(44, 'Highest droplet of ten splashes, by 12.66 (r/8)³ px', { exact: 1, absolute: 0.1 }, ({ reach }) =>
+      reach(),
+    ),
   ],
   tryThis: [
     'Compare a small drop and a large one: the splash of the small one hardly leaves the water.',

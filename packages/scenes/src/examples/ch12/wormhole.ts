@@ -78,19 +78,11 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Stars that went through',
-      y: { label: 'number' },
-      series: [{ label: 'passed', value: ({ state }) => state.passed }],
-    },
-    {
-      title: 'Speed of the blue star',
-      y: { label: 'v, px/s' },
-      series: [{ label: 'star', value: ({ world, first }) => speedOf(world, first) }],
-    },
+  plots: (plot) => [
+    plot('Stars that went through', 'number', { label: 'passed', value: ({ state }) => state.passed }),
+    plot('Speed of the blue star', 'v, px/s', { label: 'star', value: ({ world, first }) => speedOf(world, first) }),
   ],
-  checks: [
+  checks: ({ at }) => [
     {
       label: 'Time of the fall from rest, 300 px to 20 px',
       unit: 's',
@@ -106,20 +98,18 @@ export default defineExample({
       at: { event: ({ first, distance }) => RADIUS - distance(first) },
       measure: ({ world, first }) => speedOf(world, first),
     },
-    {
-      label: 'Largest error of the energy of a flight, of GM/r at the rim',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 20 },
-      measure: ({ state }) => state.worst,
-    },
-    {
-      label: 'Stars after 20 s',
-      exact: ({ count }) => count,
-      tolerance: { absolute: 0 },
-      at: { time: 20 },
-      measure: ({ world, stars }) => stars.filter((id) => world.components.Mass.value[id] === 1).length,
-    },
+    at(
+      20,
+      'Largest error of the energy of a flight, of GM/r at the rim',
+      { exact: 0, absolute: 1e-3 },
+      ({ state }) => state.worst,
+    ),
+    at(
+      20,
+      'Stars after 20 s',
+      { exact: ({ count }) => count, absolute: 0 },
+      ({ world, stars }) => stars.filter((id) => world.components.Mass.value[id] === 1).length,
+    ),
   ],
   tryThis: [
     'Wait: in the end nearly all stars are on narrow loops from the exit to the hole.',

@@ -71,43 +71,29 @@ export default defineExample({
       arrows: [velocityArrow(world, left, 0.4), velocityArrow(world, right, 0.4)],
     };
   },
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [{ label: 'weights', value: ({ omega }) => omega() }],
-    },
-    {
-      title: 'Energy of motion',
-      y: { label: 'E, J' },
-      series: [{ label: 'weights', value: ({ world }) => energy(world).kinetic }],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', 'ω, rad/s', { label: 'weights', value: ({ omega }) => omega() }),
+    plot('Energy of motion', 'E, J', { label: 'weights', value: ({ world }) => energy(world).kinetic }),
   ],
-  checks: [
-    {
-      label: 'Angular momentum after 20 s, 2 m r² ω',
-      unit: 'kg px²/s',
-      exact: ({ spin }) => 2 * START * START * spin,
-      tolerance: { relative: 1e-12 },
-      at: { time: 20 },
-      measure: ({ world }) => angularMomentum(world).z,
-    },
-    {
-      label: 'Angular velocity after 20 s: doubled, as I is halved',
-      unit: 'rad/s',
-      exact: (values) => spinAt(values.radius, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 20 },
-      measure: ({ omega }) => omega(),
-    },
-    {
-      label: 'Moment of inertia after 20 s',
-      unit: 'kg px²',
-      exact: ({ radius }) => 2 * radius * radius,
-      tolerance: { relative: 1e-3 },
-      at: { time: 20 },
-      measure: ({ inertia }) => inertia(),
-    },
+  checks: ({ at }) => [
+    at(
+      20,
+      'Angular momentum after 20 s, 2 m r² ω',
+      { exact: ({ spin }) => 2 * START * START * spin, unit: 'kg px²/s', relative: 1e-12 },
+      ({ world }) => angularMomentum(world).z,
+    ),
+    at(
+      20,
+      'Angular velocity after 20 s: doubled, as I is halved',
+      { exact: (values) => spinAt(values.radius, values), unit: 'rad/s', relative: 1e-3 },
+      ({ omega }) => omega(),
+    ),
+    at(
+      20,
+      'Moment of inertia after 20 s',
+      { exact: ({ radius }) => 2 * radius * radius, unit: 'kg px²', relative: 1e-3 },
+      ({ inertia }) => inertia(),
+    ),
   ],
   tryThis: [
     'Choose “To half the length”: the weights turn four times as fast, and have four times the energy.',

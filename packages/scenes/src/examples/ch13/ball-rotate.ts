@@ -52,38 +52,28 @@ export default defineExample({
       dots: [...marks(world, ball, ends, COLORS.white), { at: () => placeOn(world, ball, MARK), color: COLORS.red }],
     };
   },
-  plots: [
-    {
-      title: 'Height of the red mark',
-      y: { label: 'y, px' },
-      series: [{ label: 'mark', value: ({ world, ball }) => placeOn(world, ball, MARK).y }],
-    },
+  plots: (plot) => [
+    plot('Height of the red mark', 'y, px', {
+      label: 'mark',
+      value: ({ world, ball }) => placeOn(world, ball, MARK).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Length after a million small rotations',
-      unit: 'px',
-      exact: RADIUS,
-      tolerance: { relative: 1e-9 },
-      at: { time: 0 },
-      measure: () => lengthAfter(1_000_000, 0.006),
-    },
-    {
-      label: 'Distance of the mark from the middle after 60 s',
-      unit: 'px',
-      exact: RADIUS,
-      tolerance: { relative: 1e-12 },
-      at: { time: 60 },
-      measure: ({ world, ball }) => distanceBetween(placeOn(world, ball, MARK), positionOf(world, ball)),
-    },
-    {
-      label: 'Angle turned in 60 s, ω t',
-      unit: 'rad',
-      exact: ({ omega }) => 60 * omega,
-      tolerance: { relative: 1e-9 },
-      at: { time: 60 },
-      measure: ({ world, ball, angle }) => angle - world.components.Rotation.angle[ball],
-    },
+  checks: ({ at }) => [
+    at(0, 'Length after a million small rotations', { exact: RADIUS, unit: 'px', relative: 1e-9 }, () =>
+      lengthAfter(1_000_000, 0.006),
+    ),
+    at(
+      60,
+      'Distance of the mark from the middle after 60 s',
+      { exact: RADIUS, unit: 'px', relative: 1e-12 },
+      ({ world, ball }) => distanceBetween(placeOn(world, ball, MARK), positionOf(world, ball)),
+    ),
+    at(
+      60,
+      'Angle turned in 60 s, ω t',
+      { exact: ({ omega }) => 60 * omega, unit: 'rad', relative: 1e-9 },
+      ({ world, ball, angle }) => angle - world.components.Rotation.angle[ball],
+    ),
   ],
   tryThis: [
     'Change the angle at the start: the red mark begins elsewhere, and moves on the same curve.',

@@ -75,15 +75,11 @@ export default defineExample({
       arrows: [velocityArrow(world, block, 0.8)],
     };
   },
-  plots: [
-    {
-      title: 'Height of the centre',
-      y: { label: 'y, m' },
-      series: [{ label: 'block', value: ({ world, block }) => positionOf(world, block).y }],
-    },
-    { title: 'Angular velocity', y: { label: 'ω, rad/s' }, series: [{ label: 'block', value: ({ spin }) => spin() }] },
+  plots: (plot) => [
+    plot('Height of the centre', 'y, m', { label: 'block', value: ({ world, block }) => positionOf(world, block).y }),
+    plot('Angular velocity', 'ω, rad/s', { label: 'block', value: ({ spin }) => spin() }),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Time of the first impact, √(2h/g)',
       unit: 's',
@@ -91,54 +87,41 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ spin }) => Math.abs(spin()) - 0.01 },
     },
-    {
-      label: 'Velocity upwards after it, (J − m v)/m',
-      unit: 'm/s',
-      exact: ({ restitution, inertia }) => impulse(restitution, inertia) - SPEED,
-      tolerance: { relative: 1e-3 },
-      at: { time: 5.5 },
-      measure: ({ world, block }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME),
-    },
-    {
-      label: 'Angular velocity after it, J a/I',
-      unit: 'rad/s',
-      exact: ({ restitution, inertia }) => (impulse(restitution, inertia) * ASIDE) / inertia,
-      tolerance: { relative: 1e-3 },
-      at: { time: 5.5 },
-      measure: ({ spin }) => Math.abs(spin()),
-    },
-    {
-      label: 'Impulse of the floor, (1 + e) v/(1/m + a²/I): 143.610 of the book',
-      unit: 'N s',
-      exact: 143.61 / 20,
-      tolerance: { relative: 1e-3 },
-      at: { time: 5.5 },
-      measure: ({ world, block }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME) + SPEED,
-    },
-    {
-      label: 'Speed of the corner after it, e times that before: 43.596 px/s of the book',
-      unit: 'm/s',
-      exact: 43.596 / 20,
-      tolerance: { relative: 1e-3 },
-      at: { time: 5.5 },
-      measure: ({ world, block, spin }) =>
-        velocityOf(world, block).y + GRAVITY * (world.time - TIME) + Math.abs(spin()) * ASIDE,
-    },
-    {
-      label: 'Most energy gained at any time',
-      unit: 'J',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ gained }) => gained(),
-    },
-    {
-      label: 'Sine of twice the angle at the end: it lies flat',
-      exact: 0,
-      tolerance: { absolute: (2 * 0.1 * Math.PI) / 180 },
-      at: { time: 30 },
-      measure: ({ angle }) => sin(2 * angle()),
-    },
+    at(
+      5.5,
+      'Velocity upwards after it, (J − m v)/m',
+      { exact: ({ restitution, inertia }) => impulse(restitution, inertia) - SPEED, unit: 'm/s', relative: 1e-3 },
+      ({ world, block }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME),
+    ),
+    at(
+      5.5,
+      'Angular velocity after it, J a/I',
+      {
+        exact: ({ restitution, inertia }) => (impulse(restitution, inertia) * ASIDE) / inertia,
+        unit: 'rad/s',
+        relative: 1e-3,
+      },
+      ({ spin }) => Math.abs(spin()),
+    ),
+    at(
+      5.5,
+      'Impulse of the floor, (1 + e) v/(1/m + a²/I): 143.610 of the book',
+      { exact: 143.61 / 20, unit: 'N s', relative: 1e-3 },
+      ({ world, block }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME) + SPEED,
+    ),
+    at(
+      5.5,
+      'Speed of the corner after it, e times that before: 43.596 px/s of the book',
+      { exact: 43.596 / 20, unit: 'm/s', relative: 1e-3 },
+      ({ world, block, spin }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME) + Math.abs(spin()) * ASIDE,
+    ),
+    largest(30, 'Most energy gained at any time', { exact: 0, unit: 'J', absolute: 1e-3 }, ({ gained }) => gained()),
+    at(
+      30,
+      'Sine of twice the angle at the end: it lies flat',
+      { exact: 0, absolute: (2 * 0.1 * Math.PI) / 180 },
+      ({ angle }) => sin(2 * angle()),
+    ),
   ],
   tryThis: [
     'Make the inertia smaller: the block spins faster after the first impact, and is thrown up less.',

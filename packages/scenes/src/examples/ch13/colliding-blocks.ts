@@ -77,49 +77,24 @@ export default defineExample({
       view: { minX: -9, maxX: 9, minY: -1, maxY: 17 },
     };
   },
-  plots: [
-    {
-      title: 'Energy',
-      y: { label: 'E, J' },
-      series: [{ label: 'all blocks', value: ({ world }) => energy(world).total }],
-    },
-    {
-      title: 'Asleep',
-      y: { label: 'blocks' },
-      series: [{ label: 'asleep', value: ({ world }) => asleepCount(world) }],
-    },
+  plots: (plot) => [
+    plot('Energy', 'E, J', { label: 'all blocks', value: ({ world }) => energy(world).total }),
+    plot('Asleep', 'blocks', { label: 'asleep', value: ({ world }) => asleepCount(world) }),
   ],
-  checks: [
-    {
-      label: 'Blocks asleep after 30 s',
-      exact: 10,
-      tolerance: { absolute: 0 },
-      at: { time: 30 },
-      measure: ({ world }) => asleepCount(world),
-    },
-    {
-      label: 'How deep a corner is in the floor after 30 s: half a pixel at most',
-      unit: 'm',
-      exact: 0,
-      tolerance: { absolute: 0.5 * SCALE },
-      at: { time: 30 },
-      measure: ({ deepest }) => deepest(),
-    },
-    {
-      label: 'Most energy gained at any time, of that at the start',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ gained }) => gained(),
-    },
-    {
-      label: 'Area of all blocks after 30 s',
-      unit: 'm²',
-      exact: AREA,
-      tolerance: { relative: 1e-9 },
-      at: { time: 30 },
-      measure: ({ world, blocks }) => blocks.reduce((sum, id) => sum + areaOf(cornersOf(world, id)), 0),
-    },
+  checks: ({ at, largest }) => [
+    at(30, 'Blocks asleep after 30 s', { exact: 10, absolute: 0 }, ({ world }) => asleepCount(world)),
+    at(
+      30,
+      'How deep a corner is in the floor after 30 s: half a pixel at most',
+      { exact: 0, unit: 'm', absolute: 0.5 * SCALE },
+      ({ deepest }) => deepest(),
+    ),
+    largest(30, 'Most energy gained at any time, of that at the start', { exact: 0, absolute: 1e-3 }, ({ gained }) =>
+      gained(),
+    ),
+    at(30, 'Area of all blocks after 30 s', { exact: AREA, unit: 'm²', relative: 1e-9 }, ({ world, blocks }) =>
+      blocks.reduce((sum, id) => sum + areaOf(cornersOf(world, id)), 0),
+    ),
   ],
   tryThis: [
     'Drag a block out of the heap: those that lay on it wake and fall.',

@@ -94,53 +94,35 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Moment of inertia by mass',
-      y: { label: 'I/m, px²' },
-      series: [
-        {
-          label: 'of the points',
-          value: ({ estimate }) => estimate(),
-          exact: (_, { shape }) => SHAPES[shape].shape.inertiaPerMass,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Moment of inertia by mass', 'I/m, px²', {
+      label: 'of the points',
+      value: ({ estimate }) => estimate(),
+      exact: (_, { shape }) => SHAPES[shape].shape.inertiaPerMass,
+    }),
   ],
-  checks: [
-    {
-      label: 'Exact moment of the box, (w² + h²)/12',
-      unit: 'px²',
-      exact: 1041.667,
-      tolerance: { relative: 1e-6 },
-      at: { time: 0 },
-      measure: ({ exact }) => exact,
-    },
-    {
-      label: 'The same by random points',
-      unit: 'px²',
-      exact: 1041.667,
-      tolerance: { relative: 0.01 },
-      at: { time: 20 },
-      measure: ({ estimate }) => estimate(),
-    },
-    {
-      label: 'Exact moment of the disc, r²/2',
-      unit: 'px²',
-      exact: 1250,
-      tolerance: { relative: 1e-9 },
-      at: { time: 0 },
-      measure: ({ exact }) => exact,
-      preset: 'disc of radius 50',
-    },
-    ...(['triangle', 'pentagon'] as const).map((preset) => ({
-      label: `Random points by the formula, ${preset}`,
-      exact: 1,
-      tolerance: { relative: 0.01 },
-      at: { time: 20 },
-      measure: ({ estimate, exact }: Run) => estimate() / exact,
-      preset,
-    })),
+  checks: ({ at }) => [
+    at(
+      0,
+      'Exact moment of the box, (w² + h²)/12',
+      { exact: 1041.667, unit: 'px²', relative: 1e-6 },
+      ({ exact }) => exact,
+    ),
+    at(20, 'The same by random points', { exact: 1041.667, unit: 'px²', relative: 0.01 }, ({ estimate }) => estimate()),
+    at(
+      0,
+      'Exact moment of the disc, r²/2',
+      { exact: 1250, unit: 'px²', relative: 1e-9, preset: 'disc of radius 50' },
+      ({ exact }) => exact,
+    ),
+    ...(['triangle', 'pentagon'] as const).map((preset) =>
+      at(
+        20,
+        `Random points by the formula, ${preset}`,
+        { exact: 1, relative: 0.01, preset },
+        ({ estimate, exact }: Run) => estimate() / exact,
+      ),
+    ),
   ],
   tryThis: [
     'Compare box and disc: the disc is harder to turn though it is not as long.',

@@ -56,33 +56,22 @@ export default defineExample({
       series: [{ label: 'path', value: ({ corners }) => corners()[2].y }],
     },
   ],
-  checks: [
-    {
-      label: 'Area after 30 s',
-      unit: 'px²',
-      exact: 45_000,
-      tolerance: { relative: 1e-12 },
-      at: { time: 30 },
-      measure: ({ corners }) => areaOf(corners()),
-    },
-    {
-      label: 'Angle after 30 s, ω t',
-      unit: 'rad',
-      exact: ({ omega }) => 30 * omega,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 30 },
-      measure: ({ world, body }) => world.components.Rotation.angle[body],
-    },
-    {
-      label: 'Distance of the farthest corner from the centre of mass',
-      unit: 'px',
-      // The gable of 5000 px² at 350/3 px and the square of 40000 px² at 0 balance at 350/27 px.
-      exact: Math.sqrt((100 + 350 / 27) * (100 + 350 / 27) + 10_000),
-      tolerance: { relative: 1e-12 },
-      at: { time: 30 },
-      measure: ({ world, body, corners }) =>
+  checks: ({ at }) => [
+    at(30, 'Area after 30 s', { exact: 45_000, unit: 'px²', relative: 1e-12 }, ({ corners }) => areaOf(corners())),
+    at(
+      30,
+      'Angle after 30 s, ω t',
+      { exact: ({ omega }) => 30 * omega, unit: 'rad', absolute: 1e-9 },
+      ({ world, body }) => world.components.Rotation.angle[body],
+    ),
+    // The gable of 5000 px² at 350/3 px and the square of 40000 px² at 0 balance at 350/27 px.
+    at(
+      30,
+      'Distance of the farthest corner from the centre of mass',
+      { exact: Math.sqrt((100 + 350 / 27) * (100 + 350 / 27) + 10_000), unit: 'px', relative: 1e-12 },
+      ({ world, body, corners }) =>
         corners().reduce((most, corner) => Math.max(most, distanceBetween(corner, positionOf(world, body))), 0),
-    },
+    ),
   ],
   tryThis: [
     'Turn it faster: the path of a corner, in the plot, gets loops.',

@@ -48,41 +48,30 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Angles',
-      y: { label: 'angle, rad' },
-      series: [
-        { label: 'ball', value: ({ world, round }) => world.components.Rotation.angle[round] },
-        { label: 'square', value: ({ world, block }) => world.components.Rotation.angle[block] },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Angles',
+      'angle, rad',
+      { label: 'ball', value: ({ world, round }) => world.components.Rotation.angle[round] },
+      { label: 'square', value: ({ world, block }) => world.components.Rotation.angle[block] },
+    ),
   ],
-  checks: [
-    {
-      label: 'Angle of the ball after 20 s',
-      unit: 'rad',
-      exact: ({ ball }) => Math.PI / 4 + 20 * ball,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 20 },
-      measure: ({ world, round }) => world.components.Rotation.angle[round],
-    },
-    {
-      label: 'Area of the square after 20 s',
-      unit: 'px²',
-      exact: 40_000,
-      tolerance: { relative: 1e-12 },
-      at: { time: 20 },
-      measure: ({ world, block }) => areaOf(cornersOf(world, block)),
-    },
-    {
-      label: 'Distance of a mark of the ball from its middle after 20 s',
-      unit: 'px',
-      exact: 50,
-      tolerance: { relative: 1e-12 },
-      at: { time: 20 },
-      measure: ({ world, round }) => distanceBetween(placeOn(world, round, { x: 50, y: 0 }), positionOf(world, round)),
-    },
+  checks: ({ at }) => [
+    at(
+      20,
+      'Angle of the ball after 20 s',
+      { exact: ({ ball }) => Math.PI / 4 + 20 * ball, unit: 'rad', absolute: 1e-9 },
+      ({ world, round }) => world.components.Rotation.angle[round],
+    ),
+    at(20, 'Area of the square after 20 s', { exact: 40_000, unit: 'px²', relative: 1e-12 }, ({ world, block }) =>
+      areaOf(cornersOf(world, block)),
+    ),
+    at(
+      20,
+      'Distance of a mark of the ball from its middle after 20 s',
+      { exact: 50, unit: 'px', relative: 1e-12 },
+      ({ world, round }) => distanceBetween(placeOn(world, round, { x: 50, y: 0 }), positionOf(world, round)),
+    ),
   ],
   tryThis: [
     'Give both the same angular velocity: they turn in step.',

@@ -73,30 +73,19 @@ export default defineExample({
     },
   },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [{ label: 'stepped', value: ({ spin }) => spin(), exact: spinAt }],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', 'ω, rad/s', { label: 'stepped', value: ({ spin }) => spin(), exact: spinAt }),
   ],
-  checks: [
-    {
-      label: 'Angular velocity after 20 s; its limit is τ/k = 4',
-      unit: 'rad/s',
-      exact: (values) => spinAt(20, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 20 },
-      measure: ({ spin }) => spin(),
-    },
-    {
-      label: 'Ten seconds later',
-      unit: 'rad/s',
-      exact: (values) => spinAt(30, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 30 },
-      measure: ({ spin }) => spin(),
-    },
+  checks: ({ at }) => [
+    at(
+      20,
+      'Angular velocity after 20 s; its limit is τ/k = 4',
+      { exact: (values) => spinAt(20, values), unit: 'rad/s', relative: 1e-3 },
+      ({ spin }) => spin(),
+    ),
+    at(30, 'Ten seconds later', { exact: (values) => spinAt(30, values), unit: 'rad/s', relative: 1e-3 }, ({ spin }) =>
+      spin(),
+    ),
   ],
   tryThis: [
     'Hold the key when the square has slowed down: the curve of the beginning comes again.',

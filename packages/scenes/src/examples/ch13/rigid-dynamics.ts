@@ -48,50 +48,33 @@ export default defineExample({
       arrows: [velocityArrow(world, square, 8)],
     };
   },
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [{ label: 'stepped', value: ({ spin }) => spin(), exact: spinAt }],
-    },
-    {
-      title: 'Place',
-      y: { label: 'x, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, square }) => positionOf(world, square).x,
-          exact: (t) => 400 - 200 * exp(-0.05 * t),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', 'ω, rad/s', { label: 'stepped', value: ({ spin }) => spin(), exact: spinAt }),
+    plot('Place', 'x, px', {
+      label: 'stepped',
+      value: ({ world, square }) => positionOf(world, square).x,
+      exact: (t) => 400 - 200 * exp(-0.05 * t),
+    }),
   ],
-  checks: [
-    {
-      label: 'Angular velocity after 10 s, τ/k (1 − e^(−kt/I))',
-      unit: 'rad/s',
-      exact: 1.26424,
-      tolerance: { relative: 1e-4 },
-      at: { time: 10 },
-      measure: ({ spin }) => spin(),
-    },
-    {
-      label: 'Place after 20 s, 200 + 200 (1 − e^(−0.05 t))',
-      unit: 'px',
-      exact: 326.424,
-      tolerance: { relative: 1e-4 },
-      at: { time: 20 },
-      measure: ({ world, square }) => positionOf(world, square).x,
-    },
-    {
-      label: 'Angular velocity after 10 s with four times the inertia',
-      unit: 'rad/s',
-      exact: (values) => spinAt(10, values),
-      tolerance: { relative: 1e-4 },
-      at: { time: 10 },
-      measure: ({ spin }) => spin(),
-      preset: 'Four times the inertia',
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Angular velocity after 10 s, τ/k (1 − e^(−kt/I))',
+      { exact: 1.26424, unit: 'rad/s', relative: 1e-4 },
+      ({ spin }) => spin(),
+    ),
+    at(
+      20,
+      'Place after 20 s, 200 + 200 (1 − e^(−0.05 t))',
+      { exact: 326.424, unit: 'px', relative: 1e-4 },
+      ({ world, square }) => positionOf(world, square).x,
+    ),
+    at(
+      10,
+      'Angular velocity after 10 s with four times the inertia',
+      { exact: (values) => spinAt(10, values), unit: 'rad/s', relative: 1e-4, preset: 'Four times the inertia' },
+      ({ spin }) => spin(),
+    ),
   ],
   tryThis: [
     'Choose “Four times the inertia”: the square reaches the same angular velocity, but four times as slowly.',

@@ -97,29 +97,25 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Speed, and that of the rim',
-      y: { label: 'v, px/s' },
-      series: [
-        {
-          label: 'body',
-          value: ({ world, ball }) => speedOf(world, ball),
-          exact: (t, values) => acceleration(values) * t,
-        },
-        { label: 'rim', value: ({ world, ball, slip }) => speedOf(world, ball) - slip() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Speed, and that of the rim',
+      'v, px/s',
+      {
+        label: 'body',
+        value: ({ world, ball }) => speedOf(world, ball),
+        exact: (t, values) => acceleration(values) * t,
+      },
+      { label: 'rim', value: ({ world, ball, slip }) => speedOf(world, ball) - slip() },
+    ),
   ],
-  checks: [
-    {
-      label: 'Acceleration, g sin θ/(1 + I/m r²)',
-      unit: 'px/s²',
-      exact: acceleration,
-      tolerance: { relative: 1e-6 },
-      at: { time: 4 },
-      measure: ({ world, ball }) => speedOf(world, ball) / world.time,
-    },
+  checks: ({ at }) => [
+    at(
+      4,
+      'Acceleration, g sin θ/(1 + I/m r²)',
+      { exact: acceleration, unit: 'px/s²', relative: 1e-6 },
+      ({ world, ball }) => speedOf(world, ball) / world.time,
+    ),
     {
       label: 'Time for 412.31 px',
       unit: 's',
@@ -135,36 +131,26 @@ export default defineExample({
       at: { event: ({ way }) => way() - LENGTH },
       measure: ({ world, ball }) => speedOf(world, ball),
     },
-    {
-      label: 'Slip after 20 s, v − ω r',
-      unit: 'px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 20 },
-      measure: ({ slip }) => slip(),
-    },
+    at(20, 'Slip after 20 s, v − ω r', { exact: 0, unit: 'px/s', absolute: 1e-9 }, ({ slip }) => slip()),
     ...(
       [
         ['Disc', 2 / 3],
         ['Hoop', 1 / 2],
       ] as const
-    ).map(([preset, share]) => ({
-      label: `${preset}: acceleration, by g sin θ`,
-      exact: share,
-      tolerance: { relative: 1e-6 },
-      at: { time: 4 },
-      measure: ({ world, ball }: Run) => speedOf(world, ball) / (world.time * (GRAVITY / Math.sqrt(17))),
-      preset,
-    })),
-    {
-      label: 'Acceleration where it slips, g (sin θ − μ cos θ)',
-      unit: 'px/s²',
-      exact: acceleration,
-      tolerance: { relative: 1e-6 },
-      at: { time: 4 },
-      measure: ({ world, ball }) => speedOf(world, ball) / world.time,
-      preset: 'Too steep',
-    },
+    ).map(([preset, share]) =>
+      at(
+        4,
+        `${preset}: acceleration, by g sin θ`,
+        { exact: share, relative: 1e-6, preset },
+        ({ world, ball }: Run) => speedOf(world, ball) / (world.time * (GRAVITY / Math.sqrt(17))),
+      ),
+    ),
+    at(
+      4,
+      'Acceleration where it slips, g (sin θ − μ cos θ)',
+      { exact: acceleration, unit: 'px/s²', relative: 1e-6, preset: 'Too steep' },
+      ({ world, ball }) => speedOf(world, ball) / world.time,
+    ),
   ],
   tryThis: [
     'Let the solid ball, the disc and the hoop roll one after the other: the hoop is last, whatever its size.',

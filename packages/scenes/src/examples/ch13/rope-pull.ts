@@ -59,32 +59,27 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Pulls on the last bead',
-      y: { label: 'force, N' },
-      series: [
-        { label: 'grip', value: ({ gripForce }) => gripForce() },
-        { label: 'rope', value: ({ linkForce }) => linkForce() },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Pulls on the last bead',
+      'force, N',
+      { label: 'grip', value: ({ gripForce }) => gripForce() },
+      { label: 'rope', value: ({ linkForce }) => linkForce() },
+    ),
   ],
-  checks: [
-    {
-      label: 'Pull of the rope by that of the grip, at rest',
-      exact: () => 1,
-      tolerance: { relative: 0.01 },
-      at: { time: 60 },
-      measure: ({ linkForce, gripForce }) => linkForce() / gripForce(),
-    },
-    {
-      label: 'The same with the grip far away',
-      exact: 1,
-      tolerance: { relative: 0.01 },
-      at: { time: 60 },
-      measure: ({ linkForce, gripForce }) => linkForce() / gripForce(),
-      preset: 'Far away',
-    },
+  checks: ({ at }) => [
+    at(
+      60,
+      'Pull of the rope by that of the grip, at rest',
+      { exact: () => 1, relative: 0.01 },
+      ({ linkForce, gripForce }) => linkForce() / gripForce(),
+    ),
+    at(
+      60,
+      'The same with the grip far away',
+      { exact: 1, relative: 0.01, preset: 'Far away' },
+      ({ linkForce, gripForce }) => linkForce() / gripForce(),
+    ),
   ],
   tryThis: [
     'Drag the grip to and fro: waves run up the rope and come back.',

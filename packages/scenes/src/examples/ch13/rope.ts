@@ -49,51 +49,44 @@ export default defineExample({
     };
   },
   actions: { action: { label: 'Let go', about: 'let go of the end', key: 'l', press: ({ letGo }) => letGo() } },
-  plots: [
-    {
-      title: 'Depth of the middle and of the end',
-      y: { label: 'y, px' },
-      series: [
-        { label: 'middle', value: ({ world, beads }) => positionOf(world, beads[7]).y },
-        { label: 'end', value: ({ world, end }) => positionOf(world, end).y },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Depth of the middle and of the end',
+      'y, px',
+      { label: 'middle', value: ({ world, beads }) => positionOf(world, beads[7]).y },
+      { label: 'end', value: ({ world, end }) => positionOf(world, end).y },
+    ),
   ],
-  checks: [
-    {
-      label: 'Middle bead of the rope held at both ends, x',
-      unit: 'px',
-      exact: 260.9,
-      tolerance: { absolute: 0.05 },
-      at: { time: 59 },
-      measure: ({ world, beads }) => positionOf(world, beads[7]).x,
-    },
-    {
-      label: 'Middle bead of the rope held at both ends, y',
-      unit: 'px',
-      exact: 159.757,
-      tolerance: { absolute: 0.05 },
-      at: { time: 59 },
-      measure: ({ world, beads }) => positionOf(world, beads[7]).y,
-    },
-    {
-      label: 'End of the rope that hangs down, 100 + 300 + 24',
-      unit: 'px',
-      exact: 424,
-      tolerance: { absolute: 0.05 },
-      at: { time: 120 },
-      measure: ({ world, end }) => positionOf(world, end).y,
-    },
-    {
-      label: 'Stretch of its uppermost spring but one, 14 m g/k',
-      unit: 'px',
-      exact: ({ stiffness }) => (14 * ROPE.mass * ROPE.gravity) / stiffness,
-      tolerance: { absolute: 0.05 },
-      at: { time: 120 },
-      measure: ({ world, beads }) =>
-        distanceBetween(positionOf(world, beads[1]), positionOf(world, beads[0])) - ROPE.length,
-      preset: 'Let go at once',
-    },
+  checks: ({ at }) => [
+    at(
+      59,
+      'Middle bead of the rope held at both ends, x',
+      { exact: 260.9, unit: 'px', absolute: 0.05 },
+      ({ world, beads }) => positionOf(world, beads[7]).x,
+    ),
+    at(
+      59,
+      'Middle bead of the rope held at both ends, y',
+      { exact: 159.757, unit: 'px', absolute: 0.05 },
+      ({ world, beads }) => positionOf(world, beads[7]).y,
+    ),
+    at(
+      120,
+      'End of the rope that hangs down, 100 + 300 + 24',
+      { exact: 424, unit: 'px', absolute: 0.05 },
+      ({ world, end }) => positionOf(world, end).y,
+    ),
+    at(
+      120,
+      'Stretch of its uppermost spring but one, 14 m g/k',
+      {
+        exact: ({ stiffness }) => (14 * ROPE.mass * ROPE.gravity) / stiffness,
+        unit: 'px',
+        absolute: 0.05,
+        preset: 'Let go at once',
+      },
+      ({ world, beads }) => distanceBetween(positionOf(world, beads[1]), positionOf(world, beads[0])) - ROPE.length,
+    ),
   ],
   tryThis: [
     'Choose “Let go at once”: watch the end crack like a whip when the rope is straight below.',

@@ -43,13 +43,9 @@ export default defineExample({
       labels: [{ at: { x: START + turn / 2 - 40, y: -38 }, text: 'one turn: 2πR', color: COLORS.yellow }],
     };
   },
-  plots: [
-    { title: 'Angle', y: { label: 'angle, rad' }, series: [{ label: 'wheel', value: ({ turned }) => turned() }] },
-    {
-      title: 'Way',
-      y: { label: 'x, px' },
-      series: [{ label: 'wheel', value: ({ world, wheel }) => positionOf(world, wheel).x - START }],
-    },
+  plots: (plot) => [
+    plot('Angle', 'angle, rad', { label: 'wheel', value: ({ turned }) => turned() }),
+    plot('Way', 'x, px', { label: 'wheel', value: ({ world, wheel }) => positionOf(world, wheel).x - START }),
   ],
   checks: [
     {

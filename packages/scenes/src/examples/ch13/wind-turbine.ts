@@ -63,30 +63,22 @@ export default defineExample({
     },
   },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [{ label: 'stepped', value: ({ spin }) => spin(), exact: spinAt }],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', 'ω, rad/s', { label: 'stepped', value: ({ spin }) => spin(), exact: spinAt }),
   ],
-  checks: [
-    {
-      label: 'Angular velocity after 10 s, τ/k (1 − e^(−kt/I))',
-      unit: 'rad/s',
-      exact: (values) => spinAt(10, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ spin }) => spin(),
-    },
-    {
-      label: 'Angular velocity after 60 s; its limit is 4',
-      unit: 'rad/s',
-      exact: (values) => spinAt(60, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 60 },
-      measure: ({ spin }) => spin(),
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Angular velocity after 10 s, τ/k (1 − e^(−kt/I))',
+      { exact: (values) => spinAt(10, values), unit: 'rad/s', relative: 1e-3 },
+      ({ spin }) => spin(),
+    ),
+    at(
+      60,
+      'Angular velocity after 60 s; its limit is 4',
+      { exact: (values) => spinAt(60, values), unit: 'rad/s', relative: 1e-3 },
+      ({ spin }) => spin(),
+    ),
   ],
   tryThis: [
     'Double the torque: the turbine turns twice as fast, and gives four times the power.',

@@ -47,17 +47,17 @@ export default defineExample({
       lines: TURBINES.flatMap(({ radius }, i) => turbineLines(world, turbines[i], radius, 0)),
     };
   },
-  plots: [
-    {
-      title: 'Angular velocities',
-      y: { label: 'ω, rad/s' },
-      series: TURBINES.map(({ name, inertia }, i) => ({
+  plots: (plot) => [
+    plot(
+      'Angular velocities',
+      'ω, rad/s',
+      ...TURBINES.map(({ name, inertia }, i) => ({
         label: name,
         value: (run: Run) => spinOf(run, i),
         exact: (t: number, { torque, heavier }: { torque: number; heavier: number }) =>
           (torque / DRAG) * (1 - exp((-DRAG * t) / (heavier * inertia))),
       })),
-    },
+    ),
   ],
   checks: TURBINES.map(({ name, after }, i) => ({
     label: `Angular velocity of the ${name} one after 5 s`,

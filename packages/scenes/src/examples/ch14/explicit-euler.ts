@@ -22,24 +22,19 @@ export default defineExample({
   build: ({ rate }, { integrator = explicitEuler }) => oscillator(rate, integrator),
   picture: (run) => phasePicture(run, 500),
   plots: [amplitudePlot],
-  checks: [
-    {
-      label: 'Amplitude after 100 s, 200 (1 + ω² dt²)³⁰⁰⁰',
-      unit: 'px',
-      exact: AMPLITUDE * integerPower(1 + 1 / 3600, 3000),
-      tolerance: { absolute: 1e-8 },
-      at: { time: 100 },
-      measure: ({ amplitude }) => amplitude(),
-    },
-    {
-      label: 'The same with four times as many steps',
-      unit: 'px',
-      exact: AMPLITUDE * integerPower(1 + 1 / 57600, 12000),
-      tolerance: { absolute: 1e-8 },
-      at: { time: 100 },
-      measure: ({ amplitude }) => amplitude(),
-      preset: 'Short steps',
-    },
+  checks: ({ at }) => [
+    at(
+      100,
+      'Amplitude after 100 s, 200 (1 + ω² dt²)³⁰⁰⁰',
+      { exact: AMPLITUDE * integerPower(1 + 1 / 3600, 3000), unit: 'px', absolute: 1e-8 },
+      ({ amplitude }) => amplitude(),
+    ),
+    at(
+      100,
+      'The same with four times as many steps',
+      { exact: AMPLITUDE * integerPower(1 + 1 / 57600, 12000), unit: 'px', absolute: 1e-8, preset: 'Short steps' },
+      ({ amplitude }) => amplitude(),
+    ),
   ],
   tryThis: [
     'Take longer steps, ten a second: after half a minute the dot has left the picture.',

@@ -30,33 +30,25 @@ export default defineExample({
   },
   picture: (run) => phasePicture(run, 220),
   plots: [amplitudePlot],
-  checks: [
-    {
-      label: 'Amplitude after 100 s, 200/(1 + ω² dt²)³⁰⁰⁰',
-      unit: 'px',
-      exact: AMPLITUDE / integerPower(1 + 1 / 3600, 3000),
-      tolerance: { absolute: 1e-3 },
-      at: { time: 100 },
-      measure: ({ amplitude }) => amplitude(),
-    },
-    {
-      label: 'Amplitude after twenty steps of a second, 200/2¹⁰',
-      unit: 'px',
-      exact: AMPLITUDE / 1024,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 20 },
-      measure: ({ amplitude }) => amplitude(),
-      preset: 'Steps of a second',
-    },
-    {
-      label: 'Amplitude after five steps of ten seconds, 200/101^2.5: stable',
-      unit: 'px',
-      exact: AMPLITUDE / (101 * 101 * Math.sqrt(101)),
-      tolerance: { absolute: 1e-6 },
-      at: { time: 50 },
-      measure: ({ amplitude }) => amplitude(),
-      preset: 'Steps of ten seconds',
-    },
+  checks: ({ at }) => [
+    at(
+      100,
+      'Amplitude after 100 s, 200/(1 + ω² dt²)³⁰⁰⁰',
+      { exact: AMPLITUDE / integerPower(1 + 1 / 3600, 3000), unit: 'px', absolute: 1e-3 },
+      ({ amplitude }) => amplitude(),
+    ),
+    at(
+      20,
+      'Amplitude after twenty steps of a second, 200/2¹⁰',
+      { exact: AMPLITUDE / 1024, unit: 'px', absolute: 1e-6, preset: 'Steps of a second' },
+      ({ amplitude }) => amplitude(),
+    ),
+    at(
+      50,
+      'Amplitude after five steps of ten seconds, 200/101^2.5: stable',
+      { exact: AMPLITUDE / (101 * 101 * Math.sqrt(101)), unit: 'px', absolute: 1e-6, preset: 'Steps of ten seconds' },
+      ({ amplitude }) => amplitude(),
+    ),
   ],
   tryThis: [
     'Take ten steps a second: the swing dies away within a minute, although nothing brakes it.',

@@ -59,20 +59,12 @@ export default defineExample({
     trails: [{ body: ball, length: 2000, interval: 2 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.8 }],
   }),
-  plots: [
-    {
-      title: 'Error of the energy',
-      y: { label: 'error, %' },
-      // Energy of a bound orbit is negative: its fraction grows when energy is lost.
-      series: [{ label: 'energy', value: ({ error }) => -100 * error() }],
-    },
-    {
-      title: 'Distance from the sun',
-      y: { label: 'r, px' },
-      series: [{ label: 'distance', value: ({ r }) => r() }],
-    },
+  plots: (plot) => [
+    // Energy of a bound orbit is negative: its fraction grows when energy is lost.
+    plot('Error of the energy', 'error, %', { label: 'energy', value: ({ error }) => -100 * error() }),
+    plot('Distance from the sun', 'r, px', { label: 'distance', value: ({ r }) => r() }),
   ],
-  checks: [
+  checks: ({ largest }) => [
     ...ENERGY_ERRORS.map((figure) => ({
       label: 'Error of the energy in 200 s',
       ...figure,
@@ -85,14 +77,7 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ radialSpeed }) => radialSpeed(), from: 1, to: 2 },
     },
-    {
-      label: 'Largest distance',
-      unit: 'px',
-      exact: 257.143,
-      tolerance: { relative: 1e-3 },
-      at: { until: 25, take: 'largest' },
-      measure: ({ r }) => r(),
-    },
+    largest(25, 'Largest distance', { exact: 257.143, unit: 'px', relative: 1e-3 }, ({ r }) => r()),
   ],
   tryThis: [
     'Choose explicit Euler and watch the trail: turn by turn the planet comes a little further out.',

@@ -44,44 +44,27 @@ export default defineExample({
     trails: [{ body: ball, length: 1200 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
   }),
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => START.y - positionOf(world, ball).y,
-          exact: (t, { gravity }) => START.y - place(t, gravity).y,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => START.y - positionOf(world, ball).y,
+      exact: (t, { gravity }) => START.y - place(t, gravity).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Height of the apex after 10 s',
-      unit: 'px',
-      exact: 500,
-      tolerance: { absolute: 1e-8 },
-      at: { time: 10 },
-      measure: ({ world, ball }) => START.y - positionOf(world, ball).y,
-    },
-    {
-      label: 'Width of the throw after 20 s',
-      unit: 'px',
-      exact: 600,
-      tolerance: { absolute: 1e-8 },
-      at: { time: 20 },
-      measure: ({ world, ball }) => positionOf(world, ball).x - START.x,
-    },
-    {
-      label: 'Largest distance from the parabola',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 1e-8 },
-      at: { until: 20, take: 'largest' },
-      measure: ({ error }) => error(),
-    },
+  checks: ({ at, largest }) => [
+    at(
+      10,
+      'Height of the apex after 10 s',
+      { exact: 500, unit: 'px', absolute: 1e-8 },
+      ({ world, ball }) => START.y - positionOf(world, ball).y,
+    ),
+    at(
+      20,
+      'Width of the throw after 20 s',
+      { exact: 600, unit: 'px', absolute: 1e-8 },
+      ({ world, ball }) => positionOf(world, ball).x - START.x,
+    ),
+    largest(20, 'Largest distance from the parabola', { exact: 0, unit: 'px', absolute: 1e-8 }, ({ error }) => error()),
   ],
   tryThis: [
     'Take two steps a second: the ball jumps, but each of its places is exactly on the parabola.',

@@ -63,23 +63,19 @@ export default defineExample({
       ],
     },
   ],
-  checks: [
-    {
-      label: 'Distance of the two computations after a year',
-      unit: 'au',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 1 },
-      measure: ({ world, ball, inMetres }) => distanceBetween(positionOf(world, ball), inMetres(world.time)),
-    },
-    {
-      label: 'Speed of the start in astronomical units per year',
-      unit: 'au/yr',
-      exact: ({ speed }) => (1000 * speed * YEAR) / AU,
-      tolerance: { relative: 1e-12 },
-      at: { time: 0 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-    },
+  checks: ({ at }) => [
+    at(
+      1,
+      'Distance of the two computations after a year',
+      { exact: 0, unit: 'au', absolute: 1e-12 },
+      ({ world, ball, inMetres }) => distanceBetween(positionOf(world, ball), inMetres(world.time)),
+    ),
+    at(
+      0,
+      'Speed of the start in astronomical units per year',
+      { exact: ({ speed }) => (1000 * speed * YEAR) / AU, unit: 'au/yr', relative: 1e-12 },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
   ],
   tryThis: [
     'A speed of 29.8 km/s makes a circle: the distance in the plot is then a level line.',

@@ -42,40 +42,30 @@ export default defineExample({
       color: COLORS.yellow,
     })),
   }),
-  plots: [
-    {
-      title: 'Fastest knot',
-      y: { label: 'speed, px/s' },
-      series: [{ label: 'speed', value: ({ fastest }) => Math.min(100, fastest()) }],
-    },
+  plots: (plot) => [
+    plot('Fastest knot', 'speed, px/s', { label: 'speed', value: ({ fastest }) => Math.min(100, fastest()) }),
   ],
-  checks: [
-    ...[explicitEuler, semiImplicitEuler].map((integrator) => ({
-      label: 'Speed of the fastest knot after 300 s',
-      unit: 'px/s',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 300 },
-      measure: ({ fastest }: Rope) => fastest(),
-      integrator,
-    })),
-    {
-      label: 'Height of the middle of the rope below the hooks',
-      unit: 'px',
-      exact: 59.757,
-      tolerance: { absolute: 0.05 },
-      at: { time: 300 },
-      measure: ({ world, ids }) => positionOf(world, ids[8]).y - 100,
-    },
-    {
-      label: 'With too long a step, speed after 60 s, at least 20',
-      unit: 'px/s',
-      exact: 20,
-      tolerance: { absolute: 0 },
-      at: { time: 60 },
-      measure: ({ fastest }) => Math.min(20, fastest()),
-      preset: 'Too long a step',
-    },
+  checks: ({ at }) => [
+    ...[explicitEuler, semiImplicitEuler].map((integrator) =>
+      at(
+        300,
+        'Speed of the fastest knot after 300 s',
+        { exact: 0, unit: 'px/s', absolute: 1e-3, integrator },
+        ({ fastest }: Rope) => fastest(),
+      ),
+    ),
+    at(
+      300,
+      'Height of the middle of the rope below the hooks',
+      { exact: 59.757, unit: 'px', absolute: 0.05 },
+      ({ world, ids }) => positionOf(world, ids[8]).y - 100,
+    ),
+    at(
+      60,
+      'With too long a step, speed after 60 s, at least 20',
+      { exact: 20, unit: 'px/s', absolute: 0, preset: 'Too long a step' },
+      ({ fastest }) => Math.min(20, fastest()),
+    ),
   ],
   tryThis: [
     'Take too long a step, and then choose semi-implicit Euler: the rope hangs still again, with the same step.',

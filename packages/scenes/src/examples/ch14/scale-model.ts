@@ -52,36 +52,26 @@ export default defineExample({
       { at: { x: 320, y: 120 }, text: () => `${(fallen() / scale).toFixed(1)} m of ${(FALL / scale).toFixed(1)} m` },
     ],
   }),
-  plots: [
-    {
-      title: 'Way',
-      y: { label: 'way, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ fallen }) => fallen(),
-          exact: (t, values) => Math.min(FALL, (gravityOf(values) / 2) * t * t),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Way', 'way, px', {
+      label: 'stepped',
+      value: ({ fallen }) => fallen(),
+      exact: (t, values) => Math.min(FALL, (gravityOf(values) / 2) * t * t),
+    }),
   ],
-  checks: [
-    {
-      label: 'Way in the first second',
-      unit: 'px',
-      exact: (values) => Math.min(FALL, gravityOf(values) / 2),
-      tolerance: { absolute: 1e-9 },
-      at: { time: 1 },
-      measure: ({ fallen }) => fallen(),
-    },
-    {
-      label: 'Speed a step before the impact, g t',
-      unit: 'px/s',
-      exact: 400 * (59 / 60),
-      tolerance: { relative: 1e-9 },
-      at: { time: 59 / 60 },
-      measure: ({ world, ball }) => velocityOf(world, ball).y,
-    },
+  checks: ({ at }) => [
+    at(
+      1,
+      'Way in the first second',
+      { exact: (values) => Math.min(FALL, gravityOf(values) / 2), unit: 'px', absolute: 1e-9 },
+      ({ fallen }) => fallen(),
+    ),
+    at(
+      59 / 60,
+      'Speed a step before the impact, g t',
+      { exact: 400 * (59 / 60), unit: 'px/s', relative: 1e-9 },
+      ({ world, ball }) => velocityOf(world, ball).y,
+    ),
     {
       label: 'Time of the fall from the tower, √10',
       unit: 's',

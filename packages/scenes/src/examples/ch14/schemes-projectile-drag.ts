@@ -62,12 +62,8 @@ export default defineExample({
     trails: [{ body: ball, length: 1200 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
   }),
-  plots: [
-    {
-      title: 'Distance from the exact place',
-      y: { label: 'error, px' },
-      series: [{ label: 'error', value: ({ error }) => error() }],
-    },
+  plots: (plot) => [
+    plot('Distance from the exact place', 'error, px', { label: 'error', value: ({ error }) => error() }),
   ],
   checks: [
     ...ERRORS.map(({ integrator, exact, tolerance }) => ({

@@ -26,22 +26,18 @@ export default defineExample({
   ],
   build: ({ rate }: ValuesOf<'rate'>, { integrator = semiImplicitEuler }: BuildOptions) => oscillator(rate, integrator),
   picture: (run) => phasePicture(run, 240),
-  plots: [
-    {
-      title: 'Error of the energy',
-      y: { label: 'error, %' },
-      series: [{ label: 'energy', value: ({ energyError }) => 100 * energyError() }],
-    },
+  plots: (plot) => [
+    plot('Error of the energy', 'error, %', { label: 'energy', value: ({ energyError }) => 100 * energyError() }),
   ],
-  checks: [
-    ...[semiImplicitEuler, positionFirstEuler].map((integrator, i) => ({
-      label: ['Largest error of the energy, ω dt/2', 'The same, places first'][i],
-      exact: 1 / 120,
-      tolerance: { relative: 0.02 },
-      at: { until: 100, take: 'largest' as const },
-      measure: ({ energyError }: { energyError(): number }) => Math.abs(energyError()),
-      integrator,
-    })),
+  checks: ({ largest }) => [
+    ...[semiImplicitEuler, positionFirstEuler].map((integrator, i) =>
+      largest(
+        100,
+        ['Largest error of the energy, ω dt/2', 'The same, places first'][i],
+        { exact: 1 / 120, relative: 0.02, integrator },
+        ({ energyError }: { energyError(): number }) => Math.abs(energyError()),
+      ),
+    ),
     ...ERRORS.map(({ preset, rate, exact, tolerance }) => ({
       label: `Error of the place after 1 s with ${rate} steps`,
       unit: 'px',
@@ -51,15 +47,12 @@ export default defineExample({
       measure: ({ world, ball }: OscillatorRun) => Math.abs(positionOf(world, ball).x + AMPLITUDE * cos(1)),
       ...preset,
     })),
-    {
-      label: 'Largest amplitude with four steps a second, in 100 s: bounded for ever, 200/√(1 − ω dt/2)',
-      unit: 'px',
-      exact: 200 / Math.sqrt(1 - 1 / 8),
-      tolerance: { relative: 1e-3 },
-      at: { until: 100, take: 'largest' },
-      measure: ({ amplitude }) => amplitude(),
-      preset: 'Four steps a second',
-    },
+    largest(
+      100,
+      'Largest amplitude with four steps a second, in 100 s: bounded for ever, 200/√(1 − ω dt/2)',
+      { exact: 200 / Math.sqrt(1 - 1 / 8), unit: 'px', relative: 1e-3, preset: 'Four steps a second' },
+      ({ amplitude }) => amplitude(),
+    ),
   ],
   tryThis: [
     'Take four steps a second: the ellipse leans far over, but still it closes.',

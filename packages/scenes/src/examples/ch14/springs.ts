@@ -77,18 +77,12 @@ export default defineExample({
     trails: [{ body: ball, length: 300 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.4 }],
   }),
-  plots: [
-    {
-      title: 'Displacement',
-      y: { label: 'x, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x,
-          exact: (t) => -AMPLITUDE * cos(t),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Displacement', 'x, px', {
+      label: 'stepped',
+      value: ({ world, ball }) => positionOf(world, ball).x - CENTRE.x,
+      exact: (t) => -AMPLITUDE * cos(t),
+    }),
   ],
   checks: [
     ...ERRORS.flatMap(({ integrator, exact }) =>

@@ -40,32 +40,23 @@ export default defineExample({
     trails: [{ body: ball, length: 100 }],
     arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.15 }],
   }),
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'height, m' },
-      series: [{ label: 'height', value: ({ world, ball }) => positionOf(world, ball).y - RADIUS }],
-    },
+  plots: (plot) => [
+    plot('Height', 'height, m', { label: 'height', value: ({ world, ball }) => positionOf(world, ball).y - RADIUS }),
   ],
-  checks: [
-    {
-      // The highest step is at most half a step from the apex, where the ball is ½ g (dt/2)² lower.
-      label: 'Apex after the bounce, within ⅛ g dt²',
-      unit: 'm',
-      exact: 0.64,
-      tolerance: { absolute: (10 / 8) * 0.02 * 0.02 },
-      at: { until: 1.2, take: 'largest' },
-      measure: ({ risen }) => risen(),
-    },
-    {
-      label: 'The same with half the step: a quarter of the bound',
-      unit: 'm',
-      exact: 0.64,
-      tolerance: { absolute: (10 / 8) * 0.01 * 0.01 },
-      at: { until: 1.2, take: 'largest' },
-      measure: ({ risen }) => risen(),
-      preset: 'Half the step',
-    },
+  checks: ({ largest }) => [
+    // The highest step is at most half a step from the apex, where the ball is ½ g (dt/2)² lower.
+    largest(
+      1.2,
+      'Apex after the bounce, within ⅛ g dt²',
+      { exact: 0.64, unit: 'm', absolute: (10 / 8) * 0.02 * 0.02 },
+      ({ risen }) => risen(),
+    ),
+    largest(
+      1.2,
+      'The same with half the step: a quarter of the bound',
+      { exact: 0.64, unit: 'm', absolute: (10 / 8) * 0.01 * 0.01, preset: 'Half the step' },
+      ({ risen }) => risen(),
+    ),
   ],
   tryThis: [
     'Take ten steps a second: the ball jumps in large strides, and still comes back to the right height.',

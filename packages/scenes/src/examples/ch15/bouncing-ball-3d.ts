@@ -55,18 +55,16 @@ export default defineExample({
       arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball) }],
     };
   },
-  plots: [
-    {
-      title: 'Distances from the floor and from the walls',
-      y: { label: 'distance, px' },
-      series: [
-        { label: 'floor', value: ({ world, ball }) => positionOf(world, ball).y - REST },
-        { label: 'blue wall', value: ({ world, ball }) => positionOf(world, ball).x - REST },
-        { label: 'violet wall', value: ({ world, ball }) => positionOf(world, ball).z - REST },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Distances from the floor and from the walls',
+      'distance, px',
+      { label: 'floor', value: ({ world, ball }) => positionOf(world, ball).y - REST },
+      { label: 'blue wall', value: ({ world, ball }) => positionOf(world, ball).x - REST },
+      { label: 'violet wall', value: ({ world, ball }) => positionOf(world, ball).z - REST },
+    ),
   ],
-  checks: [
+  checks: ({ at }) => [
     ...[
       { axis: 'y' as const, label: 'It hits the floor, √(2 h/g)', exact: 2.8284 },
       { axis: 'z' as const, label: 'It hits the violet wall', exact: 4 },
@@ -86,14 +84,12 @@ export default defineExample({
       at: { event: ({ world, ball }: BallRun) => -velocityOf(world, ball).y, count: i + 1 },
       measure: ({ world, ball }: BallRun) => positionOf(world, ball).y - REST,
     })),
-    {
-      label: 'Speed along the floor after two bounces on it',
-      unit: 'px/s',
-      exact: ({ speed }) => speed,
-      tolerance: { absolute: 0 },
-      at: { time: 8.5 },
-      measure: ({ world, ball }) => -velocityOf(world, ball).x,
-    },
+    at(
+      8.5,
+      'Speed along the floor after two bounces on it',
+      { exact: ({ speed }) => speed, unit: 'px/s', absolute: 0 },
+      ({ world, ball }) => -velocityOf(world, ball).x,
+    ),
   ],
   tryThis: [
     'Take gravity away: the ball moves on a straight line until it meets a wall, and never comes down.',

@@ -36,31 +36,19 @@ export default defineExample({
     ],
     dots: [{ at: CENTRE, color: COLORS.white }],
   }),
-  plots: [
-    {
-      title: 'Place in the depth',
-      y: { label: 'z, px' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, cube }) => positionOf(world, cube).z,
-          exact: (t, { stiffness }) => -500 + 500 * cos(Math.sqrt(stiffness) * t),
-        },
-      ],
-    },
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, cube }) => world.components.AngularVelocity.x[cube],
-          exact: (t, { torque }) => 2 * torque * (1 - exp(-t / 2)),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Place in the depth', 'z, px', {
+      label: 'stepped',
+      value: ({ world, cube }) => positionOf(world, cube).z,
+      exact: (t, { stiffness }) => -500 + 500 * cos(Math.sqrt(stiffness) * t),
+    }),
+    plot('Angular velocity', 'ω, rad/s', {
+      label: 'stepped',
+      value: ({ world, cube }) => world.components.AngularVelocity.x[cube],
+      exact: (t, { torque }) => 2 * torque * (1 - exp(-t / 2)),
+    }),
   ],
-  checks: [
+  checks: ({ at }) => [
     {
       label: 'Period of the swing, 2π √(m/k)',
       unit: 's',
@@ -68,22 +56,18 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, cube }) => positionOf(world, cube).z + 500, from: 1, to: 2 },
     },
-    {
-      label: 'Angular velocity in the end, τ/k',
-      unit: 'rad/s',
-      exact: ({ torque }) => 2 * torque,
-      tolerance: { absolute: 1e-4 },
-      at: { time: 30 },
-      measure: ({ world, cube }) => world.components.AngularVelocity.x[cube],
-    },
-    {
-      label: 'Angular velocity after 2 s, 63 % of that',
-      unit: 'rad/s',
-      exact: ({ torque }) => 2 * torque * (1 - exp(-1)),
-      tolerance: { relative: 1e-3 },
-      at: { time: 2 },
-      measure: ({ world, cube }) => world.components.AngularVelocity.x[cube],
-    },
+    at(
+      30,
+      'Angular velocity in the end, τ/k',
+      { exact: ({ torque }) => 2 * torque, unit: 'rad/s', absolute: 1e-4 },
+      ({ world, cube }) => world.components.AngularVelocity.x[cube],
+    ),
+    at(
+      2,
+      'Angular velocity after 2 s, 63 % of that',
+      { exact: ({ torque }) => 2 * torque * (1 - exp(-1)), unit: 'rad/s', relative: 1e-3 },
+      ({ world, cube }) => world.components.AngularVelocity.x[cube],
+    ),
   ],
   tryThis: [
     'Take the torque away: the swing stays exactly as it was.',

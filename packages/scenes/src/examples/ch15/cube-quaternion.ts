@@ -56,47 +56,31 @@ export default defineExample({
     },
   },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: '∣ω∣, rad/s' },
-      series: [{ label: 'stepped', value: ({ omega }) => lengthOf(omega()) }],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', '∣ω∣, rad/s', { label: 'stepped', value: ({ omega }) => lengthOf(omega()) }),
   ],
-  checks: [
-    {
-      label: 'Angular velocity after 10 s, 2√3 (1 − e⁻⁵)',
-      unit: 'rad/s',
-      exact: ({ x, y, z }) => 2 * (1 - exp(-5)) * lengthOf({ x, y, z }),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ omega }) => lengthOf(omega()),
-    },
-    {
-      label: 'Largest difference of the parts of ω',
-      unit: 'rad/s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { until: 10, take: 'largest' },
-      measure: ({ omega }) => Math.max(Math.abs(omega().x - omega().y), Math.abs(omega().y - omega().z)),
-    },
-    {
-      label: 'Angle from the exact turn about the diagonal after 10 s, by that of 27.76 rad',
-      exact: 0,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, cube }) => {
+  checks: ({ at, largest }) => [
+    at(
+      10,
+      'Angular velocity after 10 s, 2√3 (1 − e⁻⁵)',
+      { exact: ({ x, y, z }) => 2 * (1 - exp(-5)) * lengthOf({ x, y, z }), unit: 'rad/s', relative: 1e-3 },
+      ({ omega }) => lengthOf(omega()),
+    ),
+    largest(10, 'Largest difference of the parts of ω', { exact: 0, unit: 'rad/s', absolute: 1e-12 }, ({ omega }) =>
+      Math.max(Math.abs(omega().x - omega().y), Math.abs(omega().y - omega().z)),
+    ),
+    at(
+      10,
+      'Angle from the exact turn about the diagonal after 10 s, by that of 27.76 rad',
+      { exact: 0, absolute: 1e-3 },
+      ({ world, cube }) => {
         const left = product(inverse(rotationAbout(point(1, 1, 1), TURNED)), orientationOf(world, cube));
         return (2 * lengthOf(left)) / TURNED;
       },
-    },
-    {
-      label: 'Norm of the quaternion after 20 s',
-      exact: 1,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 20 },
-      measure: ({ world, cube }) => normOf(orientationOf(world, cube)),
-    },
+    ),
+    at(20, 'Norm of the quaternion after 20 s', { exact: 1, absolute: 1e-14 }, ({ world, cube }) =>
+      normOf(orientationOf(world, cube)),
+    ),
   ],
   tryThis: [
     'Choose the upright axis: four edges stay upright, and the cube turns like a carousel.',

@@ -54,33 +54,22 @@ export default defineExample({
     },
   },
   pointer: 'action',
-  plots: [
-    {
-      title: 'Angular velocity',
-      y: { label: 'ω, rad/s' },
-      series: [
-        { label: 'stepped', value: ({ world, cube }) => world.components.AngularVelocity.x[cube], exact: exactSpeed },
-      ],
-    },
+  plots: (plot) => [
+    plot('Angular velocity', 'ω, rad/s', {
+      label: 'stepped',
+      value: ({ world, cube }) => world.components.AngularVelocity.x[cube],
+      exact: exactSpeed,
+    }),
   ],
-  checks: [
-    {
-      label: 'Angular velocity after 10 s, τ/k (1 − e^(−kt/I))',
-      unit: 'rad/s',
-      exact: (values) => exactSpeed(10, values),
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, cube }) => world.components.AngularVelocity.x[cube],
-    },
-    {
-      // Semi-implicit Euler is ahead by 4 dt = 0.017 rad at 240 steps per second.
-      label: 'Angle after 10 s',
-      unit: 'rad',
-      exact: 32.054,
-      tolerance: { relative: 1e-3 },
-      at: { time: 10 },
-      measure: ({ turned }) => turned.angle,
-    },
+  checks: ({ at }) => [
+    at(
+      10,
+      'Angular velocity after 10 s, τ/k (1 − e^(−kt/I))',
+      { exact: (values) => exactSpeed(10, values), unit: 'rad/s', relative: 1e-3 },
+      ({ world, cube }) => world.components.AngularVelocity.x[cube],
+    ),
+    // Semi-implicit Euler is ahead by 4 dt = 0.017 rad at 240 steps per second.
+    at(10, 'Angle after 10 s', { exact: 32.054, unit: 'rad', relative: 1e-3 }, ({ turned }) => turned.angle),
   ],
   tryThis: [
     'Make the cube heavier: it comes to the same angular velocity in the end, but takes longer.',

@@ -65,22 +65,9 @@ export default defineExample({
       },
     ],
   }),
-  plots: [
-    {
-      title: 'Distance of the Moon',
-      y: { label: 'r, px' },
-      series: [{ label: 'distance', value: ({ r }) => r() }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Smallest distance',
-      unit: 'px',
-      exact: 228.169,
-      tolerance: { relative: 1e-3 },
-      at: { until: 121, take: 'smallest' },
-      measure: ({ r }) => r(),
-    },
+  plots: (plot) => [plot('Distance of the Moon', 'r, px', { label: 'distance', value: ({ r }) => r() })],
+  checks: ({ at, largest, smallest }) => [
+    smallest(121, 'Smallest distance', { exact: 228.169, unit: 'px', relative: 1e-3 }, ({ r }) => r()),
     {
       label: 'Period, 2π √(a³/GM)',
       unit: 's',
@@ -91,22 +78,20 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ radialSpeed }) => radialSpeed(), from: 1, to: 2 },
     },
-    {
-      label: 'Largest distance from the plane of the start',
-      unit: 'px',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 121, take: 'largest' },
-      measure: ({ world, ball }) => Math.abs(positionOf(world, ball).y),
-    },
-    ...[velocityVerlet, positionFirstEuler].map((integrator) => ({
-      label: 'Angular momentum after 240 s, relative to 3600',
-      exact: 1,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 240 },
-      measure: ({ world }: { world: Parameters<typeof angularMomentum>[0] }) => angularMomentum(world).y / 3600,
-      integrator,
-    })),
+    largest(
+      121,
+      'Largest distance from the plane of the start',
+      { exact: 0, unit: 'px', absolute: 0 },
+      ({ world, ball }) => Math.abs(positionOf(world, ball).y),
+    ),
+    ...[velocityVerlet, positionFirstEuler].map((integrator) =>
+      at(
+        240,
+        'Angular momentum after 240 s, relative to 3600',
+        { exact: 1, absolute: 1e-12, integrator },
+        ({ world }: { world: Parameters<typeof angularMomentum>[0] }) => angularMomentum(world).y / 3600,
+      ),
+    ),
   ],
   tryThis: [
     'Start at 12.91 px/s: the orbit becomes a circle, and the distance in the plot a level line.',

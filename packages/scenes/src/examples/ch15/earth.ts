@@ -46,14 +46,8 @@ export default defineExample({
     ],
     dots: [{ at: town, color: COLORS.orange }],
   }),
-  plots: [
-    {
-      title: 'Place of the town to the right',
-      y: { label: 'x, px' },
-      series: [{ label: 'town', value: ({ town }) => town().x }],
-    },
-  ],
-  checks: [
+  plots: (plot) => [plot('Place of the town to the right', 'x, px', { label: 'town', value: ({ town }) => town().x })],
+  checks: ({ at }) => [
     {
       // The town is behind its start first, and comes back to it from behind.
       label: 'Length of a day, 2π/ω',
@@ -69,14 +63,12 @@ export default defineExample({
       at: { event: ({ town }) => town().z, from: 1, to: 2 },
       measure: ({ world }) => world.tick,
     },
-    {
-      label: 'Latitude of the town after 20 s',
-      unit: '°',
-      exact: ({ latitude }) => latitude,
-      tolerance: { absolute: 1e-3 },
-      at: { time: 20 },
-      measure: ({ axis, town }) => latitudeOf((town().x * axis.x + town().y * axis.y) / (1.03 * RADIUS)),
-    },
+    at(
+      20,
+      'Latitude of the town after 20 s',
+      { exact: ({ latitude }) => latitude, unit: '°', absolute: 1e-3 },
+      ({ axis, town }) => latitudeOf((town().x * axis.x + town().y * axis.y) / (1.03 * RADIUS)),
+    ),
   ],
   tryThis: [
     'Put the town at 80°: it hardly moves, for it is near the pole.',

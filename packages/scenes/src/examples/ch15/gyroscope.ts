@@ -99,14 +99,10 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Height of the wheel',
-      y: { label: 'y, m' },
-      series: [{ label: 'stepped', value: ({ axle, arm }) => arm * axle().y }],
-    },
+  plots: (plot) => [
+    plot('Height of the wheel', 'y, m', { label: 'stepped', value: ({ axle, arm }) => arm * axle().y }),
   ],
-  checks: [
+  checks: ({ smallest }) => [
     {
       label: 'Time of one walk around, 2π I ω/(m g r)',
       unit: 's',
@@ -115,15 +111,12 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ axle }) => axle().x, from: 1, to: 2 },
     },
-    {
-      label: 'Lowest point after letting go, r (k − √(k² + 4))/2',
-      unit: 'm',
-      preset: 'Let go',
-      exact: lowestPoint,
-      tolerance: { relative: 2e-3 },
-      at: { until: 10, take: 'smallest' },
-      measure: ({ axle, arm }) => arm * axle().y,
-    },
+    smallest(
+      10,
+      'Lowest point after letting go, r (k − √(k² + 4))/2',
+      { exact: lowestPoint, unit: 'm', relative: 2e-3, preset: 'Let go' },
+      ({ axle, arm }) => arm * axle().y,
+    ),
   ],
   tryThis: [
     'Halve the spin: the wheel walks twice as fast. That is the wrong way round for anything that falls, and right here.',

@@ -124,27 +124,24 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Angular velocity in the principal axes',
-      y: { label: 'ω, rad/s' },
-      series: [
-        { label: 'least moment', value: ({ spinAbout }) => spinAbout(point(1, 0, 0)) },
-        { label: 'middle moment', value: ({ spinAbout }) => spinAbout(point(0, 1, 0)) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Angular velocity in the principal axes',
+      'ω, rad/s',
+      { label: 'least moment', value: ({ spinAbout }) => spinAbout(point(1, 0, 0)) },
+      { label: 'middle moment', value: ({ spinAbout }) => spinAbout(point(0, 1, 0)) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Tilt of the steady axis from that of the box, tan 2α = 2 I_xy/(I_yy − I_xx)',
-      exact: (values) => exactAxes(values).tilt,
-      tolerance: { relative: 1e-12 },
-      at: { time: 0 },
-      measure: ({ toBody }) => {
+  checks: ({ at, largest }) => [
+    at(
+      0,
+      'Tilt of the steady axis from that of the box, tan 2α = 2 I_xy/(I_yy − I_xx)',
+      { exact: (values) => exactAxes(values).tilt, relative: 1e-12 },
+      ({ toBody }) => {
         const axisOfBox = rotate(toBody, AXIS_OF_BOX);
         return Math.abs(axisOfBox.x / axisOfBox.z);
       },
-    },
+    ),
     {
       label: 'Period of the wobble, 4 K(k)/p',
       unit: 's',
@@ -152,23 +149,18 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ spinAbout }) => spinAbout(point(0, 1, 0)), from: 1, to: 2 },
     },
-    {
-      label: 'Largest change of the energy, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, start }) => Math.abs(energy(world).kinetic / start.energy - 1),
-    },
-    {
-      label: 'Largest change of the angular momentum, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, start: { momentum: L } }) => {
+    largest(30, 'Largest change of the energy, as a fraction', { exact: 0, absolute: 1e-10 }, ({ world, start }) =>
+      Math.abs(energy(world).kinetic / start.energy - 1),
+    ),
+    largest(
+      30,
+      'Largest change of the angular momentum, as a fraction',
+      { exact: 0, absolute: 1e-10 },
+      ({ world, start: { momentum: L } }) => {
         const { x, y, z } = angularMomentum(world);
         return lengthOf(point(x - L.x, y - L.y, z - L.z)) / lengthOf(L);
       },
-    },
+    ),
   ],
   tryThis: [
     'Lower the load to the middle: the axis of the box is a principal axis again, and nothing wobbles.',

@@ -64,38 +64,22 @@ export default defineExample({
       dots: [{ at: () => place(point(100, 0, 0)), color: COLORS.orange }],
     };
   },
-  plots: [
-    {
-      title: 'The four numbers',
-      y: { label: 'x, y, z, w' },
-      series: (['x', 'y', 'z', 'w'] as const).map((part) => ({
+  plots: (plot) => [
+    plot(
+      'The four numbers',
+      'x, y, z, w',
+      ...(['x', 'y', 'z', 'w'] as const).map((part) => ({
         label: part,
         value: ({ turn }: { turn(): Quaternion }) => turn()[part],
       })),
-    },
+    ),
   ],
-  checks: [
-    {
-      label: 'A turn by 90° about z takes (1, 0, 0) to (0, 1, 0): distance',
-      exact: 0,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 0 },
-      measure: ({ axis }) => distanceBetween(rotate(rotationAbout(axis, Math.PI / 2), point(1, 0, 0)), point(0, 1, 0)),
-    },
-    {
-      label: 'Norm after a million products, put right after each',
-      exact: 1,
-      tolerance: { absolute: 1e-15 },
-      at: { time: 1 },
-      measure: ({ norm }) => norm,
-    },
-    {
-      label: 'Norm of the turn after 10 s',
-      exact: 1,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 10 },
-      measure: ({ turn }) => normOf(turn()),
-    },
+  checks: ({ at }) => [
+    at(0, 'A turn by 90° about z takes (1, 0, 0) to (0, 1, 0): distance', { exact: 0, absolute: 1e-15 }, ({ axis }) =>
+      distanceBetween(rotate(rotationAbout(axis, Math.PI / 2), point(1, 0, 0)), point(0, 1, 0)),
+    ),
+    at(1, 'Norm after a million products, put right after each', { exact: 1, absolute: 1e-15 }, ({ norm }) => norm),
+    at(10, 'Norm of the turn after 10 s', { exact: 1, absolute: 1e-14 }, ({ turn }) => normOf(turn())),
   ],
   tryThis: [
     'Watch the four numbers: after a whole turn they have the other sign, and only after two turns are they back.',

@@ -58,43 +58,27 @@ export default defineExample({
       lines: [...cube(LEFT_CUBE, left), ...cube(RIGHT_CUBE, right)],
     };
   },
-  plots: [
-    {
-      title: 'How much the two orientations differ',
-      y: { label: 'largest element of the difference' },
-      series: [{ label: 'difference', value: ({ left, right }) => difference(left(), right()) }],
-    },
+  plots: (plot) => [
+    plot('How much the two orientations differ', 'largest element of the difference', {
+      label: 'difference',
+      value: ({ left, right }) => difference(left(), right()),
+    }),
   ],
-  checks: [
-    {
-      label: 'Lengths and right angles that a rotation keeps: largest error',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { until: 8, take: 'largest' },
-      measure: ({ left }) => orthogonalityError(left()),
-    },
-    {
-      label: 'Determinant, the volume that it keeps',
-      exact: 1,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 8 },
-      measure: ({ left }) => determinant(left()),
-    },
-    {
-      label: 'Difference of the two orders',
-      exact: 1,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 8 },
-      measure: ({ left, right }) => difference(left(), right()),
-    },
-    {
-      // With the nose straight down, yaw and roll turn about the same axis: only their difference counts.
-      label: 'Gimbal lock: yaw 30° and roll 30° at pitch 90°, less none of both',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { time: 0 },
-      measure: () => difference(attitude(RIGHT / 3, RIGHT, RIGHT / 3), attitude(0, RIGHT, 0)),
-    },
+  checks: ({ at, largest }) => [
+    largest(
+      8,
+      'Lengths and right angles that a rotation keeps: largest error',
+      { exact: 0, absolute: 1e-14 },
+      ({ left }) => orthogonalityError(left()),
+    ),
+    at(8, 'Determinant, the volume that it keeps', { exact: 1, absolute: 1e-14 }, ({ left }) => determinant(left())),
+    at(8, 'Difference of the two orders', { exact: 1, absolute: 1e-14 }, ({ left, right }) =>
+      difference(left(), right()),
+    ),
+    // With the nose straight down, yaw and roll turn about the same axis: only their difference counts.
+    at(0, 'Gimbal lock: yaw 30° and roll 30° at pitch 90°, less none of both', { exact: 0, absolute: 1e-14 }, () =>
+      difference(attitude(RIGHT / 3, RIGHT, RIGHT / 3), attitude(0, RIGHT, 0)),
+    ),
   ],
   tryThis: [
     'Take small turns of 5°: the two orders hardly differ, and less and less the smaller the turns are.',

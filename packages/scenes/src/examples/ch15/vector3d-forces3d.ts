@@ -47,46 +47,26 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Dot product, and length of the cross product',
-      y: { label: 'product' },
-      series: [
-        { label: 'a·b', value: ({ a, b }) => dot(a, b()) },
-        { label: '∣a × b∣', value: ({ c }) => lengthOf(c()) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Dot product, and length of the cross product',
+      'product',
+      { label: 'a·b', value: ({ a, b }) => dot(a, b()) },
+      { label: '∣a × b∣', value: ({ c }) => lengthOf(c()) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Largest dot product of a and a × b',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ a, c }) => Math.abs(dot(a, c())),
-    },
-    {
-      label: 'Largest dot product of b and a × b',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ b, c }) => Math.abs(dot(b(), c())),
-    },
-    {
-      // Lagrange: |a × b|² + (a·b)² = |a|² |b|².
-      label: 'Largest error of ∣a × b∣² + (a·b)² = a² b²',
-      exact: 0,
-      tolerance: { absolute: 1e-14 },
-      at: { until: 12, take: 'largest' },
-      measure: ({ a, b, c }) => Math.abs(dot(c(), c()) + dot(a, b()) * dot(a, b()) - dot(a, a) * dot(b(), b())),
-    },
-    {
-      label: 'i × j is k: its part along z',
-      exact: 1,
-      tolerance: { absolute: 0 },
-      at: { time: 0 },
-      measure: () => cross(point(1, 0, 0), point(0, 1, 0)).z,
-    },
+  checks: ({ at, largest }) => [
+    largest(12, 'Largest dot product of a and a × b', { exact: 0, absolute: 1e-14 }, ({ a, c }) =>
+      Math.abs(dot(a, c())),
+    ),
+    largest(12, 'Largest dot product of b and a × b', { exact: 0, absolute: 1e-14 }, ({ b, c }) =>
+      Math.abs(dot(b(), c())),
+    ),
+    // Lagrange: |a × b|² + (a·b)² = |a|² |b|².
+    largest(12, 'Largest error of ∣a × b∣² + (a·b)² = a² b²', { exact: 0, absolute: 1e-14 }, ({ a, b, c }) =>
+      Math.abs(dot(c(), c()) + dot(a, b()) * dot(a, b()) - dot(a, a) * dot(b(), b())),
+    ),
+    at(0, 'i × j is k: its part along z', { exact: 1, absolute: 0 }, () => cross(point(1, 0, 0), point(0, 1, 0)).z),
   ],
   tryThis: [
     'Put both arrows into the plane: the green one then stands upright, up for half a turn and down for the other.',

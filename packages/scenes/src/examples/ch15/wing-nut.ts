@@ -78,14 +78,8 @@ export default defineExample({
       ],
     };
   },
-  plots: [
-    {
-      title: 'Spin about the stem',
-      y: { label: 'ω, rad/s' },
-      series: [{ label: 'stepped', value: ({ spin }) => spin() }],
-    },
-  ],
-  checks: [
+  plots: (plot) => [plot('Spin about the stem', 'ω, rad/s', { label: 'stepped', value: ({ spin }) => spin() })],
+  checks: ({ largest }) => [
     {
       label: 'Time of two flips, 4 K(k)/p',
       unit: 's',
@@ -93,23 +87,18 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ spin }) => spin(), from: 1, to: 2 },
     },
-    {
-      label: 'Largest change of the energy, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, start }) => Math.abs(energy(world).kinetic / start.energy - 1),
-    },
-    {
-      label: 'Largest change of the angular momentum, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, start: { momentum: L } }) => {
+    largest(30, 'Largest change of the energy, as a fraction', { exact: 0, absolute: 1e-10 }, ({ world, start }) =>
+      Math.abs(energy(world).kinetic / start.energy - 1),
+    ),
+    largest(
+      30,
+      'Largest change of the angular momentum, as a fraction',
+      { exact: 0, absolute: 1e-10 },
+      ({ world, start: { momentum: L } }) => {
         const { x, y, z } = angularMomentum(world);
         return lengthOf(point(x - L.x, y - L.y, z - L.z)) / lengthOf(L);
       },
-    },
+    ),
   ],
   tryThis: [
     'Make the nudge a hundred times smaller: the nut spins steadily for longer, and then turns over just as quickly.',

@@ -215,71 +215,48 @@ export default defineExample({
     more: throttle('+10 kN', 'more thrust', 't', 10),
     less: throttle('−10 kN', 'less thrust', 'g', -10),
   },
-  plots: [
-    {
-      title: 'Height',
-      y: { label: 'y, m' },
-      series: [{ label: 'stepped', value: ({ world, plane }) => positionOf(world, plane).y }],
-    },
-    {
-      title: 'Climb',
-      y: { label: 'm/s' },
-      series: [
-        {
-          label: 'stepped',
-          value: ({ world, plane }) => velocityOf(world, plane).y,
-          exact: (_, { push: kilonewtons }) => steadyFlight(1000 * kilonewtons).climb,
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Height', 'y, m', { label: 'stepped', value: ({ world, plane }) => positionOf(world, plane).y }),
+    plot('Climb', 'm/s', {
+      label: 'stepped',
+      value: ({ world, plane }) => velocityOf(world, plane).y,
+      exact: (_, { push: kilonewtons }) => steadyFlight(1000 * kilonewtons).climb,
+    }),
   ],
-  checks: [
-    {
-      // Measured in the published program with its attitude held level.
-      label: 'Lowest height',
-      unit: 'm',
-      exact: 242.8,
-      tolerance: { relative: 5e-3 },
-      at: { until: 60, take: 'smallest' },
-      measure: ({ world, plane }) => positionOf(world, plane).y,
-    },
+  checks: ({ at, smallest }) => [
+    // Measured in the published program with its attitude held level.
+    smallest(
+      60,
+      'Lowest height',
+      { exact: 242.8, unit: 'm', relative: 5e-3 },
+      ({ world, plane }) => positionOf(world, plane).y,
+    ),
     ...steady(),
     ...MEASURED.flatMap(({ preset }) => steady(preset)),
-    {
-      label: 'Speed over the ground, 300 kN, as measured',
-      unit: 'm/s',
-      exact: 86.404,
-      tolerance: { relative: 5e-3 },
-      at: { time: 60 },
-      measure: ({ world, plane }) => velocityOf(world, plane).x,
-    },
-    {
-      label: 'Thrust of exactly level flight',
-      unit: 'kN',
-      exact: 171.887,
-      tolerance: { relative: 5e-3 },
-      at: { time: 60 },
-      measure: ({ world, plane }) => world.components.Thrust.x[plane] / 1000,
-      preset: 'Exactly level',
-    },
-    {
-      label: 'Height after a minute of exactly level flight',
-      unit: 'm',
-      preset: 'Exactly level',
-      exact: 400,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 60 },
-      measure: ({ world, plane }) => positionOf(world, plane).y,
-    },
-    {
-      label: 'Pitch that it keeps by itself',
-      unit: '°',
-      exact: 0,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 60 },
-      measure: ({ world, plane }) =>
-        headingAndPitch(rotate(orientationOf(world, plane), point(1, 0, 0))).pitch / DEGREE,
-    },
+    at(
+      60,
+      'Speed over the ground, 300 kN, as measured',
+      { exact: 86.404, unit: 'm/s', relative: 5e-3 },
+      ({ world, plane }) => velocityOf(world, plane).x,
+    ),
+    at(
+      60,
+      'Thrust of exactly level flight',
+      { exact: 171.887, unit: 'kN', relative: 5e-3, preset: 'Exactly level' },
+      ({ world, plane }) => world.components.Thrust.x[plane] / 1000,
+    ),
+    at(
+      60,
+      'Height after a minute of exactly level flight',
+      { exact: 400, unit: 'm', absolute: 1e-6, preset: 'Exactly level' },
+      ({ world, plane }) => positionOf(world, plane).y,
+    ),
+    at(
+      60,
+      'Pitch that it keeps by itself',
+      { exact: 0, unit: '°', absolute: 1e-9 },
+      ({ world, plane }) => headingAndPitch(rotate(orientationOf(world, plane), point(1, 0, 0))).pitch / DEGREE,
+    ),
   ],
   tryThis: [
     'Press ▼ once or twice and watch the climb; then ▲ as often, or the nose keeps rising until the wing stalls.',

@@ -28,32 +28,27 @@ export default defineExample({
     camera: { eye: point(12, 2, 30), target: point(0, -9, 0) },
     trails: [{ body: ball, length: 60 }],
   }),
-  plots: [
-    {
-      title: 'Distance fallen',
-      y: { label: 's, m' },
-      series: [{ label: 'fallen', value: ({ fallen }) => fallen(), exact: (t, { gravity }) => 0.5 * gravity * t * t }],
-    },
+  plots: (plot) => [
+    plot('Distance fallen', 's, m', {
+      label: 'fallen',
+      value: ({ fallen }) => fallen(),
+      exact: (t, { gravity }) => 0.5 * gravity * t * t,
+    }),
   ],
-  checks: [
-    {
-      label: 'Fallen after 1 s, g t²/2',
-      unit: 'm',
-      exact: ({ gravity }) => gravity / 2,
-      // Twenty sums of numbers up to 5, each rounded to one part in 10¹⁶.
-      tolerance: { absolute: 1e-14 },
-      at: { time: 1 },
-      measure: ({ fallen }) => fallen(),
-    },
-    {
-      label: 'Explicit Euler after 1 s, g t (t − dt)/2',
-      unit: 'm',
-      exact: ({ gravity }) => (gravity * 0.95) / 2,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 1 },
-      measure: ({ fallen }) => fallen(),
-      integrator: explicitEuler,
-    },
+  checks: ({ at }) => [
+    // Twenty sums of numbers up to 5, each rounded to one part in 10¹⁶.
+    at(
+      1,
+      'Fallen after 1 s, g t²/2',
+      { exact: ({ gravity }) => gravity / 2, unit: 'm', absolute: 1e-14 },
+      ({ fallen }) => fallen(),
+    ),
+    at(
+      1,
+      'Explicit Euler after 1 s, g t (t − dt)/2',
+      { exact: ({ gravity }) => (gravity * 0.95) / 2, unit: 'm', absolute: 1e-12, integrator: explicitEuler },
+      ({ fallen }) => fallen(),
+    ),
   ],
   tryThis: ['Choose another integrator: those of second order and more are exact here as well.'],
 });

@@ -51,28 +51,14 @@ export default defineExample({
     dots: Array.from({ length: COPIES }, (_, i) => ({ at: () => copies[i] ?? START, radius: 3, color: COLORS.blue })),
     arrows: [{ label: 'v', from: () => state().r, vector: () => state().v, scale: 5, color: COLORS.green }],
   }),
-  plots: [
-    {
-      title: 'Distance from the sun',
-      y: { label: 'r' },
-      series: [{ label: 'distance', value: ({ state }) => lengthOf(state().r) }],
-    },
+  plots: (plot) => [
+    plot('Distance from the sun', 'r', { label: 'distance', value: ({ state }) => lengthOf(state().r) }),
   ],
-  checks: [
-    {
-      label: 'Semi-major axis after 125 s',
-      exact: 279.33,
-      tolerance: { relative: 1e-5 },
-      at: { time: 125 },
-      measure: ({ state }) => axisOf(state().r, state().v),
-    },
-    {
-      label: 'Largest distance, a (1 + e)',
-      exact: 308.659,
-      tolerance: { relative: 1e-5 },
-      at: { until: 125, take: 'largest' },
-      measure: ({ state }) => lengthOf(state().r),
-    },
+  checks: ({ at, largest }) => [
+    at(125, 'Semi-major axis after 125 s', { exact: 279.33, relative: 1e-5 }, ({ state }) =>
+      axisOf(state().r, state().v),
+    ),
+    largest(125, 'Largest distance, a (1 + e)', { exact: 308.659, relative: 1e-5 }, ({ state }) => lengthOf(state().r)),
     {
       label: 'Back at its nearest after a turn, 2π √(a³/GM)',
       unit: 's',
@@ -80,21 +66,16 @@ export default defineExample({
       tolerance: { relative: 1e-4 },
       at: { event: ({ state }) => dot(state().r, state().v), count: 1 },
     },
-    {
-      label: 'Largest distance from the plane of the start',
-      exact: 0,
-      // Rounding of a sum of 2500 steps of about 1.
-      tolerance: { absolute: 1e-10 },
-      at: { until: 125, take: 'largest' },
-      measure: ({ state, normal }) => Math.abs(dot(state().r, normal)),
-    },
-    {
-      label: 'Relative change of the energy after 125 s',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 125 },
-      measure: ({ world, begin }) => energy(world).total / begin - 1,
-    },
+    // Rounding of a sum of 2500 steps of about 1.
+    largest(125, 'Largest distance from the plane of the start', { exact: 0, absolute: 1e-10 }, ({ state, normal }) =>
+      Math.abs(dot(state().r, normal)),
+    ),
+    at(
+      125,
+      'Relative change of the energy after 125 s',
+      { exact: 0, absolute: 1e-12 },
+      ({ world, begin }) => energy(world).total / begin - 1,
+    ),
   ],
   tryThis: [
     'Give it a speed of 14.14 in all: the orbit becomes a circle.',

@@ -65,23 +65,21 @@ export default defineExample({
       series: [{ label: 'sine', value: ({ between }) => between() }],
     },
   ],
-  checks: [
-    {
-      label: 'Hours after 8640 steps',
-      unit: 'h',
-      exact: 8640,
-      tolerance: { absolute: 1e-6 },
-      at: { time: LAST / DAYS },
-      measure: ({ world }) => world.time / HOUR,
-    },
-    ...(['mercury', 'venus', 'earth', 'mars'] as const).map((name) => ({
-      label: `Distance of ${name[0].toUpperCase()}${name.slice(1)} from JPL’s position after 360 days`,
-      unit: 'km',
-      exact: 0,
-      tolerance: { absolute: 1 },
-      at: { time: LAST / DAYS },
-      measure: (run: SolarRun) => errorKm(run, name, LAST),
-    })),
+  checks: ({ at }) => [
+    at(
+      LAST / DAYS,
+      'Hours after 8640 steps',
+      { exact: 8640, unit: 'h', absolute: 1e-6 },
+      ({ world }) => world.time / HOUR,
+    ),
+    ...(['mercury', 'venus', 'earth', 'mars'] as const).map((name) =>
+      at(
+        LAST / DAYS,
+        `Distance of ${name[0].toUpperCase()}${name.slice(1)} from JPL’s position after 360 days`,
+        { exact: 0, unit: 'km', absolute: 1 },
+        (run: SolarRun) => errorKm(run, name, LAST),
+      ),
+    ),
     {
       label: 'Venus passes the Earth, 6 June 2012, 01:10',
       unit: 'd',

@@ -47,15 +47,15 @@ export default defineExample({
   },
   picture: (run) => ({ view: INNER_VIEW, camera: INNER_CAMERA, trails: innerTrails(run) }),
   plots: [INNER_DISTANCES],
-  checks: [
-    ...INNER_PLANETS.map((name) => ({
-      label: `Year of ${INNER_NAMES[name]} about the Sun alone`,
-      unit: 'd',
-      exact: PERIODS[name],
-      tolerance: { relative: 1e-5 },
-      at: { time: 0 },
-      measure: (run: SolarRun) => periodOf(run, name),
-    })),
+  checks: ({ at }) => [
+    ...INNER_PLANETS.map((name) =>
+      at(
+        0,
+        `Year of ${INNER_NAMES[name]} about the Sun alone`,
+        { exact: PERIODS[name], unit: 'd', relative: 1e-5 },
+        (run: SolarRun) => periodOf(run, name),
+      ),
+    ),
     ...INNER_PLANETS.map((name) => ({
       label: `${INNER_NAMES[name]} is back where it started`,
       unit: 'd',
@@ -68,13 +68,14 @@ export default defineExample({
       },
       measure: ({ world }: SolarRun) => DAYS * world.time,
     })),
-    ...INNER_PLANETS.map((name) => ({
-      label: `Eccentricity of ${INNER_NAMES[name]}`,
-      exact: 4.5e-4,
-      tolerance: { absolute: 1.6e-4 },
-      at: { time: 0 },
-      measure: (run: SolarRun) => ellipseOf(run, name).eccentricity,
-    })),
+    ...INNER_PLANETS.map((name) =>
+      at(
+        0,
+        `Eccentricity of ${INNER_NAMES[name]}`,
+        { exact: 4.5e-4, absolute: 1.6e-4 },
+        (run: SolarRun) => ellipseOf(run, name).eccentricity,
+      ),
+    ),
   ],
   tryThis: ['Count: while Mars goes round once, Mercury does so nearly eight times.'],
 });

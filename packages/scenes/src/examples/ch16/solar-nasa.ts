@@ -74,33 +74,29 @@ export default defineExample({
       })),
     },
   ],
-  checks: [
-    ...INNER_PLANETS.map((name) => ({
-      label: `${INNER_NAMES[name]} after 366 days, distance from JPL’s position`,
-      unit: 'km',
-      exact: 0,
-      tolerance: { absolute: 1 },
-      at: { time: YEAR / DAYS },
-      measure: lastError(name),
-    })),
-    {
-      label: 'Earth without the Moon, distance after 366 days',
-      unit: 'km',
-      exact: 91891,
-      tolerance: { relative: 0.01 },
-      at: { time: YEAR / DAYS },
-      measure: lastError('earth'),
-      preset: 'Newton without the Moon',
-    },
-    ...INNER_PLANETS.map((name) => ({
-      label: `${INNER_NAMES[name]} with the constants of the book`,
-      unit: 'km',
-      exact: BOOK_ERRORS[name],
-      tolerance: { relative: 0.01 },
-      at: { time: YEAR / DAYS },
-      measure: lastError(name),
-      preset: 'The book',
-    })),
+  checks: ({ at }) => [
+    ...INNER_PLANETS.map((name) =>
+      at(
+        YEAR / DAYS,
+        `${INNER_NAMES[name]} after 366 days, distance from JPL’s position`,
+        { exact: 0, unit: 'km', absolute: 1 },
+        lastError(name),
+      ),
+    ),
+    at(
+      YEAR / DAYS,
+      'Earth without the Moon, distance after 366 days',
+      { exact: 91891, unit: 'km', relative: 0.01, preset: 'Newton without the Moon' },
+      lastError('earth'),
+    ),
+    ...INNER_PLANETS.map((name) =>
+      at(
+        YEAR / DAYS,
+        `${INNER_NAMES[name]} with the constants of the book`,
+        { exact: BOOK_ERRORS[name], unit: 'km', relative: 0.01, preset: 'The book' },
+        lastError(name),
+      ),
+    ),
   ],
   tryThis: [
     'Choose Newton without the Moon: Mercury is 80 km off, and the Earth 92 000 km, because the Moon swings it about.',

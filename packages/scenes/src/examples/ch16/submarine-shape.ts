@@ -69,22 +69,14 @@ export default defineExample({
       dots: PORTHOLES.map((porthole) => ({ at: at(porthole), radius: 7, color: COLORS.yellow })),
     };
   },
-  plots: [
-    {
-      title: 'Water in the tank',
-      y: { label: 'height, m' },
-      series: [{ label: 'height', value: ({ level }) => level() }],
-    },
-  ],
-  checks: [
-    {
-      label: 'Height of the water, fraction times height of the tank',
-      unit: 'm',
-      exact: ({ fill }) => fill * TANK.height,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ level }) => level(),
-    },
+  plots: (plot) => [plot('Water in the tank', 'height, m', { label: 'height', value: ({ level }) => level() })],
+  checks: ({ at }) => [
+    at(
+      0,
+      'Height of the water, fraction times height of the tank',
+      { exact: ({ fill }) => fill * TANK.height, unit: 'm', absolute: 1e-12 },
+      ({ level }) => level(),
+    ),
     ...FIGURE_CHECKS,
   ],
   tryThis: ['Let it turn: the water is painted, and turns along. In the example “Submarine” it has weight.'],

@@ -85,27 +85,23 @@ export default defineExample({
     down: held('▼', 'arrowdown', 'flood the tank', flood, FILL_RATE),
     up: held('▲', 'arrowup', 'blow the tank out', flood, -FILL_RATE),
   },
-  plots: [
-    {
-      title: 'Depth of the centre',
-      y: { label: 'depth, px' },
-      series: [{ label: 'depth', value: ({ world, sub }) => positionOf(world, sub).y - level }],
-    },
-    {
-      title: 'Density by that of water',
-      y: { label: 'ratio' },
-      series: [{ label: 'ratio', value: ({ world, sub }) => world.components.Mass.value[sub] / SUBMARINE.volume }],
-    },
+  plots: (plot) => [
+    plot('Depth of the centre', 'depth, px', {
+      label: 'depth',
+      value: ({ world, sub }) => positionOf(world, sub).y - level,
+    }),
+    plot('Density by that of water', 'ratio', {
+      label: 'ratio',
+      value: ({ world, sub }) => world.components.Mass.value[sub] / SUBMARINE.volume,
+    }),
   ],
-  checks: [
-    {
-      label: 'It comes to rest 90 % under water, its centre at',
-      unit: 'px',
-      exact: REST,
-      tolerance: { relative: 0.005 },
-      at: { until: 60, take: 'mean' },
-      measure: ({ world, bob }) => positionOf(world, bob).y,
-    },
+  checks: ({ at, mean }) => [
+    mean(
+      60,
+      'It comes to rest 90 % under water, its centre at',
+      { exact: REST, unit: 'px', relative: 0.005 },
+      ({ world, bob }) => positionOf(world, bob).y,
+    ),
     {
       label: 'Small bob, 2π √(m H/ρ V g)',
       unit: 's',
@@ -113,53 +109,42 @@ export default defineExample({
       tolerance: { relative: 0.005 },
       at: { event: ({ world, bob }) => positionOf(world, bob).y - REST, from: 1, to: 2 },
     },
-    {
-      label: 'Full tank: speed of the dive after 10 s',
-      unit: 'px/s',
-      exact: 9.9746,
-      tolerance: { relative: 1e-4 },
-      at: { time: 10 },
-      measure: ({ world, dive }) => velocityOf(world, dive).y,
-    },
-    {
-      label: 'Empty tank: final speed of the rise',
-      unit: 'px/s',
-      exact: 10,
-      tolerance: { relative: 1e-4 },
-      at: { time: 30 },
-      measure: ({ world, rise }) => -velocityOf(world, rise).y,
-    },
-    {
-      label: 'Neutral: speed after 5 s of full thrust, 20 tanh t',
-      unit: 'px/s',
-      exact: 19.998,
-      tolerance: { relative: 1e-4 },
-      at: { time: 5 },
-      measure: ({ world, run }) => velocityOf(world, run).x,
-    },
-    {
-      label: 'Neutral: depth does not change',
-      unit: 'px',
-      exact: 1000,
-      tolerance: { absolute: 1e-9 },
-      at: { time: 30 },
-      measure: ({ world, run }) => positionOf(world, run).y,
-    },
-    {
-      label: 'Height of the water in the tank, a fraction of 30 px',
-      unit: 'px',
-      exact: ({ fill }) => 30 * fill,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: ({ state }) => waterHeight(state.fill),
-    },
-    {
-      label: 'Water in the tank for neutral weight',
-      exact: 0.5,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 0 },
-      measure: () => SUBMARINE.volume * SEA.density - emptyMass,
-    },
+    at(
+      10,
+      'Full tank: speed of the dive after 10 s',
+      { exact: 9.9746, unit: 'px/s', relative: 1e-4 },
+      ({ world, dive }) => velocityOf(world, dive).y,
+    ),
+    at(
+      30,
+      'Empty tank: final speed of the rise',
+      { exact: 10, unit: 'px/s', relative: 1e-4 },
+      ({ world, rise }) => -velocityOf(world, rise).y,
+    ),
+    at(
+      5,
+      'Neutral: speed after 5 s of full thrust, 20 tanh t',
+      { exact: 19.998, unit: 'px/s', relative: 1e-4 },
+      ({ world, run }) => velocityOf(world, run).x,
+    ),
+    at(
+      30,
+      'Neutral: depth does not change',
+      { exact: 1000, unit: 'px', absolute: 1e-9 },
+      ({ world, run }) => positionOf(world, run).y,
+    ),
+    at(
+      0,
+      'Height of the water in the tank, a fraction of 30 px',
+      { exact: ({ fill }) => 30 * fill, unit: 'px', absolute: 1e-12 },
+      ({ state }) => waterHeight(state.fill),
+    ),
+    at(
+      0,
+      'Water in the tank for neutral weight',
+      { exact: 0.5, absolute: 1e-12 },
+      () => SUBMARINE.volume * SEA.density - emptyMass,
+    ),
   ],
   tryThis: [
     'Flood the tank to the half, and wait until it hovers: it stays at any depth.',

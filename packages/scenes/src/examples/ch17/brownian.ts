@@ -74,13 +74,7 @@ export default defineExample({
       trails: [{ body: grain, length: 1900, interval: 4, color: COLORS.yellow }],
     };
   },
-  plots: [
-    {
-      title: 'Energy of the grain',
-      y: { label: 'E, J' },
-      series: [{ label: 'grain', value: ({ grainEnergy }) => grainEnergy() }],
-    },
-  ],
+  plots: (plot) => [plot('Energy of the grain', 'E, J', { label: 'grain', value: ({ grainEnergy }) => grainEnergy() })],
   histograms: [
     {
       title: 'Speeds of the molecules',
@@ -91,31 +85,27 @@ export default defineExample({
       exact: (v, _, { speed }: Values) => ((2 * v) / (speed * speed)) * exp(-(v * v) / (speed * speed)),
     },
   ],
-  checks: [
-    {
-      label: 'Mean speed of the molecules by Maxwell, √π/2 times that at the start',
-      unit: 'm/s',
-      exact: ({ speed }) => (speed * Math.sqrt(Math.PI)) / 2,
-      // A fifth of the relative deviation of the mean of 860 speeds, 0.52/√860, of which hundreds are averaged.
-      tolerance: { relative: 4e-3 },
-      at: { until: 160, take: 'mean' },
-      measure: ({ meanSpeed }) => meanSpeed(),
-    },
-    {
-      label: 'Mean energy of the grain by that of a molecule',
-      exact: 1,
-      // Energies in the plane are distributed exponentially: three errors of the mean of about 80 independent ones.
-      tolerance: { absolute: 0.35 },
-      at: { until: 160, take: 'mean' },
-      measure: ({ grainEnergy, temperature }) => grainEnergy() / temperature,
-    },
-    {
-      label: 'Change of the whole energy in a minute, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-10 },
-      at: { time: 60 },
-      measure: ({ world, start }) => energy(world).kinetic / start - 1,
-    },
+  checks: ({ at, mean }) => [
+    // A fifth of the relative deviation of the mean of 860 speeds, 0.52/√860, of which hundreds are averaged.
+    mean(
+      160,
+      'Mean speed of the molecules by Maxwell, √π/2 times that at the start',
+      { exact: ({ speed }) => (speed * Math.sqrt(Math.PI)) / 2, unit: 'm/s', relative: 4e-3 },
+      ({ meanSpeed }) => meanSpeed(),
+    ),
+    // Energies in the plane are distributed exponentially: three errors of the mean of about 80 independent ones.
+    mean(
+      160,
+      'Mean energy of the grain by that of a molecule',
+      { exact: 1, absolute: 0.35 },
+      ({ grainEnergy, temperature }) => grainEnergy() / temperature,
+    ),
+    at(
+      60,
+      'Change of the whole energy in a minute, as a fraction',
+      { exact: 0, absolute: 1e-10 },
+      ({ world, start }) => energy(world).kinetic / start - 1,
+    ),
   ],
   tryThis: [
     'Watch the histogram in the first second: a single bar, which spreads to Maxwell’s curve.',

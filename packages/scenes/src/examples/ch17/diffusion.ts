@@ -61,18 +61,12 @@ export default defineExample({
       trails: [{ body: grains[0], length: 2400, color: COLORS.yellow }],
     };
   },
-  plots: [
-    {
-      title: 'Mean square of the distance',
-      y: { label: '⟨r²⟩, m²' },
-      series: [
-        {
-          label: 'grains',
-          value: ({ meanSquare }) => meanSquare(),
-          exact: (t, values: Values) => 2 * spreadSquare(t, values),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Mean square of the distance', '⟨r²⟩, m²', {
+      label: 'grains',
+      value: ({ meanSquare }) => meanSquare(),
+      exact: (t, values: Values) => 2 * spreadSquare(t, values),
+    }),
   ],
   histograms: [
     {

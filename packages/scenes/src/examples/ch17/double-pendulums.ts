@@ -66,30 +66,19 @@ export default defineExample({
     });
     return { view: { minX: -2.2, maxX: 2.2, minY: -2.15, maxY: 2.15 }, lines, dots: [{ at: ORIGIN, radius: 4 }] };
   },
-  plots: [
-    {
-      title: 'Distance of the first and the last bob',
-      y: { label: 'ln(d / 1 m)' },
-      series: [{ label: 'd', value: ({ spread }) => log(spread()) }],
-    },
+  plots: (plot) => [
+    plot('Distance of the first and the last bob', 'ln(d / 1 m)', { label: 'd', value: ({ spread }) => log(spread()) }),
   ],
-  checks: [
-    {
-      label: 'Largest change of the energy of all, per pendulum',
-      unit: 'J',
-      exact: 0,
-      tolerance: { absolute: 1e-5 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ world, pendulums, start }) => Math.abs(energy(world).total - start) / pendulums.length,
-    },
-    {
-      label: 'Largest change of the length of a rod',
-      unit: 'm',
-      exact: 0,
-      tolerance: { absolute: 1e-6 },
-      at: { until: 30, take: 'largest' },
-      measure: ({ lengthError }) => lengthError(),
-    },
+  checks: ({ largest }) => [
+    largest(
+      30,
+      'Largest change of the energy of all, per pendulum',
+      { exact: 0, unit: 'J', absolute: 1e-5 },
+      ({ world, pendulums, start }) => Math.abs(energy(world).total - start) / pendulums.length,
+    ),
+    largest(30, 'Largest change of the length of a rod', { exact: 0, unit: 'm', absolute: 1e-6 }, ({ lengthError }) =>
+      lengthError(),
+    ),
     ...([-1, 1] as const).map((sign) => ({
       label: `Period of a small swing, 2π/√((2 ${sign < 0 ? '−' : '+'} √2) g/L)`,
       unit: 's',

@@ -76,60 +76,49 @@ export default defineExample({
       lines: [line(0, 1), line(1, 2), line(2, 0)],
     };
   },
-  plots: [
-    {
-      title: 'Distances from the middle',
-      y: { label: 'r, m' },
-      series: STAR_COLORS.map((_, i) => ({
+  plots: (plot) => [
+    plot(
+      'Distances from the middle',
+      'r, m',
+      ...STAR_COLORS.map((_, i) => ({
         label: `star ${i + 1}`,
         value: ({ world, stars }: ThreeBodyRun) => distanceBetween(positionOf(world, stars[i]), { x: 0, y: 0 }),
       })),
-    },
+    ),
   ],
-  checks: [
-    {
-      label: 'All are back where they started after the period of 6.32591398 s, off by',
-      unit: 'm',
-      exact: 0,
-      // The start is given to 8 digits.
-      tolerance: { absolute: 1e-6 },
-      at: { time: EIGHT.period },
-      measure: ({ offStart }) => offStart(),
-    },
-    {
-      label: 'After a third of it each is where another one started, off by',
-      unit: 'm',
-      exact: 0,
-      tolerance: { absolute: 1e-6 },
-      at: { time: EIGHT.period / 3 },
-      measure: ({ stars, fromStart }) =>
+  checks: ({ at, largest }) => [
+    // The start is given to 8 digits.
+    at(
+      EIGHT.period,
+      'All are back where they started after the period of 6.32591398 s, off by',
+      { exact: 0, unit: 'm', absolute: 1e-6 },
+      ({ offStart }) => offStart(),
+    ),
+    at(
+      EIGHT.period / 3,
+      'After a third of it each is where another one started, off by',
+      { exact: 0, unit: 'm', absolute: 1e-6 },
+      ({ stars, fromStart }) =>
         Math.max(...stars.map((_, i) => Math.min(fromStart(i, (i + 1) % 3), fromStart(i, (i + 2) % 3)))),
-    },
-    {
-      label: 'Angular momentum of the eight, largest',
-      unit: 'kg m²/s',
-      exact: 0,
-      tolerance: { absolute: 1e-8 },
-      at: { until: 3 * EIGHT.period, take: 'largest' },
-      measure: ({ world }) => Math.abs(angularMomentum(world).z),
-    },
-    {
-      label: 'Change of the energy after three periods',
-      unit: 'J',
-      exact: 0,
-      tolerance: { absolute: 1e-12 },
-      at: { time: 3 * EIGHT.period },
-      measure: ({ world, startEnergy }) => energy(world).total - startEnergy,
-    },
-    {
-      label: 'Side of the triangle after one turn of 2π √(a³/3Gm)',
-      unit: 'm',
-      exact: Math.sqrt(3),
-      tolerance: { relative: 1e-9 },
-      at: { time: TRIANGLE.period },
-      measure: ({ world, stars }) => distanceBetween(positionOf(world, stars[0]), positionOf(world, stars[1])),
-      preset: 'Lagrange’s triangle',
-    },
+    ),
+    largest(
+      3 * EIGHT.period,
+      'Angular momentum of the eight, largest',
+      { exact: 0, unit: 'kg m²/s', absolute: 1e-8 },
+      ({ world }) => Math.abs(angularMomentum(world).z),
+    ),
+    at(
+      3 * EIGHT.period,
+      'Change of the energy after three periods',
+      { exact: 0, unit: 'J', absolute: 1e-12 },
+      ({ world, startEnergy }) => energy(world).total - startEnergy,
+    ),
+    at(
+      TRIANGLE.period,
+      'Side of the triangle after one turn of 2π √(a³/3Gm)',
+      { exact: Math.sqrt(3), unit: 'm', relative: 1e-9, preset: 'Lagrange’s triangle' },
+      ({ world, stars }) => distanceBetween(positionOf(world, stars[0]), positionOf(world, stars[1])),
+    ),
   ],
   tryThis: [
     'Choose “A nudged eight”: the eight turns slowly and wobbles, and goes on.',

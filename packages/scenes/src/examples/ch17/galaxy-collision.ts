@@ -102,32 +102,26 @@ export default defineExample({
       trails: centres.map((body) => ({ body, length: 1200, interval: 4, color: 0x39425e })),
     };
   },
-  plots: [
-    {
-      title: 'Distance of the centres',
-      y: { label: 'r, m' },
-      series: [
-        { label: 'stepped', value: ({ distance }) => distance(), exact: (t, { mass }: Values) => distanceAt(t, mass) },
-      ],
-    },
+  plots: (plot) => [
+    plot('Distance of the centres', 'r, m', {
+      label: 'stepped',
+      value: ({ distance }) => distance(),
+      exact: (t, { mass }: Values) => distanceAt(t, mass),
+    }),
   ],
-  checks: [
-    {
-      label: 'Nearest distance of the centres, that of the parabola',
-      unit: 'm',
-      exact: NEAREST,
-      tolerance: { relative: 1e-4 },
-      at: { until: 20, take: 'smallest' },
-      measure: ({ distance }) => distance(),
-    },
-    {
-      label: 'Distance after 25 s, by Barker’s equation',
-      unit: 'm',
-      exact: ({ mass }) => distanceAt(25, mass),
-      tolerance: { relative: 1e-4 },
-      at: { time: 25 },
-      measure: ({ distance }) => distance(),
-    },
+  checks: ({ at, smallest }) => [
+    smallest(
+      20,
+      'Nearest distance of the centres, that of the parabola',
+      { exact: NEAREST, unit: 'm', relative: 1e-4 },
+      ({ distance }) => distance(),
+    ),
+    at(
+      25,
+      'Distance after 25 s, by Barker’s equation',
+      { exact: ({ mass }) => distanceAt(25, mass), unit: 'm', relative: 1e-4 },
+      ({ distance }) => distance(),
+    ),
   ],
   tryThis: [
     'Choose “Turning against the orbit”: the stars meet the other galaxy only shortly, and hardly any tail is drawn.',

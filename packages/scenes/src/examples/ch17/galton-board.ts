@@ -99,32 +99,27 @@ export default defineExample({
       exact: (x) => exp((-2 * x * x) / ROWS) / Math.sqrt((Math.PI * ROWS) / 2),
     },
   ],
-  checks: [
-    {
-      label: 'Balls that have reached the bins',
-      exact: COUNT,
-      tolerance: { absolute: 0 },
-      at: { time: 100 },
-      measure: ({ world, balls }) => landed(world, balls).length,
-    },
-    {
-      label: 'Mean place, the middle',
-      unit: 'm',
-      exact: 0,
-      // Three errors of the mean of independent balls.
-      tolerance: { absolute: 3 * Math.sqrt(ROWS / 4 / COUNT) },
-      at: { time: 100 },
-      measure: ({ world, balls }) => meanOf(landed(world, balls).map(Math.round)),
-    },
-    {
-      label: 'Variance of the bins, rows/4 where a ball forgets its way at each peg',
-      unit: 'm²',
-      exact: ROWS / 4,
-      // Three errors of the variance of a distribution that is nearly normal.
-      tolerance: { relative: 3 * Math.sqrt(2 / COUNT) },
-      at: { time: 100 },
-      measure: ({ world, balls }) => meanOf(landed(world, balls).map((x) => Math.round(x) * Math.round(x))),
-    },
+  checks: ({ at }) => [
+    at(
+      100,
+      'Balls that have reached the bins',
+      { exact: COUNT, absolute: 0 },
+      ({ world, balls }) => landed(world, balls).length,
+    ),
+    // Three errors of the mean of independent balls.
+    at(
+      100,
+      'Mean place, the middle',
+      { exact: 0, unit: 'm', absolute: 3 * Math.sqrt(ROWS / 4 / COUNT) },
+      ({ world, balls }) => meanOf(landed(world, balls).map(Math.round)),
+    ),
+    // Three errors of the variance of a distribution that is nearly normal.
+    at(
+      100,
+      'Variance of the bins, rows/4 where a ball forgets its way at each peg',
+      { exact: ROWS / 4, unit: 'm²', relative: 3 * Math.sqrt(2 / COUNT) },
+      ({ world, balls }) => meanOf(landed(world, balls).map((x) => Math.round(x) * Math.round(x))),
+    ),
   ],
   tryThis: [
     'Set the drag to 4: the balls hardly bounce, remember where they came from, and most end in the middle. So real boards need care to be binomial.',

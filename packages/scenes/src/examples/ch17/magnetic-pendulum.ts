@@ -95,34 +95,28 @@ export default defineExample({
       trails: [{ body: bobs[Math.floor(bobs.length * 0.4)], length: 1500, color: 0x000000 }],
     };
   },
-  plots: [
-    {
-      title: 'Pendulums nearest to each magnet',
-      y: { label: 'share' },
-      series: [
-        { label: 'upper', value: ({ share }) => share(0) },
-        { label: 'lower', value: ({ share }) => share(1) },
-        { label: 'right', value: ({ share }) => share(2) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Pendulums nearest to each magnet',
+      'share',
+      { label: 'upper', value: ({ share }) => share(0) },
+      { label: 'lower', value: ({ share }) => share(1) },
+      { label: 'right', value: ({ share }) => share(2) },
+    ),
   ],
-  checks: [
-    {
-      label: 'Where the last ones rest: distance from the middle, where no force is',
-      unit: 'm',
-      exact: ({ strength }) => restingDistance(strength),
-      tolerance: { absolute: 2e-3 },
-      at: { time: 50 },
-      measure: ({ world, bobs }) =>
-        Math.max(...bobs.map((id) => distanceBetween(positionOf(world, id), { x: 0, y: 0 }))),
-    },
-    {
-      label: 'Pendulums that are not where the mirror image of their partner is',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { time: 50 },
-      measure: ({ asymmetry }) => asymmetry(),
-    },
+  checks: ({ at }) => [
+    at(
+      50,
+      'Where the last ones rest: distance from the middle, where no force is',
+      { exact: ({ strength }) => restingDistance(strength), unit: 'm', absolute: 2e-3 },
+      ({ world, bobs }) => Math.max(...bobs.map((id) => distanceBetween(positionOf(world, id), { x: 0, y: 0 }))),
+    ),
+    at(
+      50,
+      'Pendulums that are not where the mirror image of their partner is',
+      { exact: 0, absolute: 0 },
+      ({ asymmetry }) => asymmetry(),
+    ),
   ],
   tryThis: [
     'Choose “Thick air”: the pendulums are caught soon, and three clear regions remain.',

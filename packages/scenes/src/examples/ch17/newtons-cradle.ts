@@ -103,59 +103,45 @@ export default defineExample({
     const beam = { from: { x: -0.4, y: 0 }, to: { x: 0.4, y: 0 }, color: COLORS.grey, width: 6 };
     return { view: { minX: -0.75, maxX: 0.75, minY: -0.65, maxY: 0.1 }, lines: [...strings, beam] };
   },
-  plots: [
-    {
-      title: 'Velocity',
-      y: { label: 'v, m/s' },
-      series: [
-        { label: 'first', value: ({ speed }) => speed(0) },
-        { label: 'middle', value: ({ speed }) => speed(2) },
-        { label: 'last', value: ({ speed }) => speed(4) },
-      ],
-    },
-    { title: 'Energy', y: { label: 'E, J' }, series: [{ label: 'total', value: ({ world }) => energy(world).total }] },
+  plots: (plot) => [
+    plot(
+      'Velocity',
+      'v, m/s',
+      { label: 'first', value: ({ speed }) => speed(0) },
+      { label: 'middle', value: ({ speed }) => speed(2) },
+      { label: 'last', value: ({ speed }) => speed(4) },
+    ),
+    plot('Energy', 'E, J', { label: 'total', value: ({ world }) => energy(world).total }),
   ],
-  checks: [
-    {
-      label: 'Fastest of the first ball, √(2gL(1 − cos φ))',
-      unit: 'm/s',
-      exact: ({ degrees }) => lowest(degrees),
-      tolerance: { relative: 1e-3 },
-      at: { until: 0.5, take: 'largest' },
-      measure: ({ speed }) => speed(0),
-    },
-    {
-      label: 'Fastest of the last ball: the same',
-      unit: 'm/s',
-      exact: lowest(40),
-      tolerance: { relative: 1e-3 },
-      at: { until: 0.6, take: 'largest' },
-      measure: ({ speed }) => speed(4),
-    },
-    {
-      label: 'Speed of the other four meanwhile',
-      unit: 'm/s',
-      exact: 0,
-      tolerance: { absolute: 0.01 },
-      at: { time: 0.6 },
-      measure: ({ speed }) => Math.max(...[0, 1, 2, 3].map((i) => Math.abs(speed(i)))),
-    },
-    {
-      label: 'Two out for two in: slower of the last two by the faster one',
-      exact: 1,
-      tolerance: { relative: 0.01 },
-      at: { time: 0.6 },
-      measure: ({ speed }) => Math.min(speed(3), speed(4)) / Math.max(speed(3), speed(4)),
-      preset: 'Two balls',
-    },
-    {
-      label: 'Change of the energy in 10 s, as a fraction of the energy at the start',
-      exact: 0,
-      // The jerks of the strings take some.
-      tolerance: { absolute: 1e-3 },
-      at: { time: 10 },
-      measure: ({ world, start }) => (energy(world).total - start) / (start + COUNT * GRAVITY * LENGTH),
-    },
+  checks: ({ at, largest }) => [
+    largest(
+      0.5,
+      'Fastest of the first ball, √(2gL(1 − cos φ))',
+      { exact: ({ degrees }) => lowest(degrees), unit: 'm/s', relative: 1e-3 },
+      ({ speed }) => speed(0),
+    ),
+    largest(
+      0.6,
+      'Fastest of the last ball: the same',
+      { exact: lowest(40), unit: 'm/s', relative: 1e-3 },
+      ({ speed }) => speed(4),
+    ),
+    at(0.6, 'Speed of the other four meanwhile', { exact: 0, unit: 'm/s', absolute: 0.01 }, ({ speed }) =>
+      Math.max(...[0, 1, 2, 3].map((i) => Math.abs(speed(i)))),
+    ),
+    at(
+      0.6,
+      'Two out for two in: slower of the last two by the faster one',
+      { exact: 1, relative: 0.01, preset: 'Two balls' },
+      ({ speed }) => Math.min(speed(3), speed(4)) / Math.max(speed(3), speed(4)),
+    ),
+    // The jerks of the strings take some.
+    at(
+      10,
+      'Change of the energy in 10 s, as a fraction of the energy at the start',
+      { exact: 0, absolute: 1e-3 },
+      ({ world, start }) => (energy(world).total - start) / (start + COUNT * GRAVITY * LENGTH),
+    ),
     {
       label: 'Speed of all balls of clay after the first blow, a fifth',
       unit: 'm/s',

@@ -77,17 +77,15 @@ export default defineExample({
       fills: [{ shape: { centre: { x: 0, y: 0 }, radius: RADIUS }, color: COLORS.orange, opacity: 0.18 }],
     };
   },
-  plots: [
-    { title: 'Radius', y: { label: 'R, m' }, series: [{ label: 'electrons', value: ({ radius }) => radius() }] },
-    {
-      title: 'Middle of the electrons',
-      y: { label: 'x, m' },
-      series: [
-        { label: 'stepped', value: ({ middle }) => middle(), exact: (t, { shift }: Values) => shift * cos(WHOLE * t) },
-      ],
-    },
+  plots: (plot) => [
+    plot('Radius', 'R, m', { label: 'electrons', value: ({ radius }) => radius() }),
+    plot('Middle of the electrons', 'x, m', {
+      label: 'stepped',
+      value: ({ middle }) => middle(),
+      exact: (t, { shift }: Values) => shift * cos(WHOLE * t),
+    }),
   ],
-  checks: [
+  checks: ({ at }) => [
     {
       label: 'Period of the breathing, 2π/ω_p',
       unit: 's',
@@ -106,13 +104,12 @@ export default defineExample({
       measure: ({ world }) => world.time / 2,
       preset: 'Pushed aside',
     },
-    {
-      label: 'Change of the energy in 20 s, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-4 },
-      at: { time: 20 },
-      measure: ({ world, start }) => energy(world).total / start - 1,
-    },
+    at(
+      20,
+      'Change of the energy in 20 s, as a fraction',
+      { exact: 0, absolute: 1e-4 },
+      ({ world, start }) => energy(world).total / start - 1,
+    ),
   ],
   tryThis: [
     'Halve the electrons: each has more charge, and they breathe in the same time.',

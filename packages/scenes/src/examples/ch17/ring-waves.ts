@@ -83,23 +83,20 @@ export default defineExample({
       trails: [{ body: probe, length: 1500, color: COLORS.blue }],
     };
   },
-  plots: [
-    {
-      title: 'The blue particle',
-      y: { label: 'y, m' },
-      series: [{ label: 'distance from the moon’s orbit', value: ({ world, probe }) => positionOf(world, probe).y }],
-    },
+  plots: (plot) => [
+    plot('The blue particle', 'y, m', {
+      label: 'distance from the moon’s orbit',
+      value: ({ world, probe }) => positionOf(world, probe).y,
+    }),
   ],
-  checks: [
-    {
-      label: 'Amplitude of the wave of the blue particle, 2.24 Gm/(Ω b)²',
-      unit: 'm',
-      exact: amplitudeOf(2, 1),
-      // The next order is some Gm/(Ω² b³), 1 %: halving the moon halves the error.
-      tolerance: { relative: 0.03 },
-      at: { time: 40 },
-      measure: ({ amplitude }) => amplitude(),
-    },
+  checks: ({ at }) => [
+    // The next order is some Gm/(Ω² b³), 1 %: halving the moon halves the error.
+    at(
+      40,
+      'Amplitude of the wave of the blue particle, 2.24 Gm/(Ω b)²',
+      { exact: amplitudeOf(2, 1), unit: 'm', relative: 0.03 },
+      ({ amplitude }) => amplitude(),
+    ),
     {
       label: 'Length of its wave, 3π b',
       unit: 'm',

@@ -92,48 +92,30 @@ export default defineExample({
       trails: [{ body: nodes[NODES / 2], length: 600, interval: 8, color: COLORS.yellow }],
     };
   },
-  plots: [
-    {
-      title: 'Speed of the wheel',
-      y: { label: 'v, m/s' },
-      series: [
-        {
-          label: 'computed',
-          value: ({ speed }) => speed(),
-          exact: (time, { slope, friction }) =>
-            (2 * time * Math.max(rolled(slope), slid(slope, friction))) / (TIME * TIME),
-        },
-      ],
-    },
+  plots: (plot) => [
+    plot('Speed of the wheel', 'v, m/s', {
+      label: 'computed',
+      value: ({ speed }) => speed(),
+      exact: (time, { slope, friction }) => (2 * time * Math.max(rolled(slope), slid(slope, friction))) / (TIME * TIME),
+    }),
   ],
-  checks: [
-    {
-      label: 'Way down in 4 s, g sin θ t²/4',
-      unit: 'm',
-      exact: rolled(10),
-      // The skin is a polygon of 64 corners and damped: a per cent of the energy stays on the way.
-      tolerance: { relative: 0.015 },
-      at: { time: TIME },
-      measure: ({ distance }) => distance(),
-    },
-    {
-      label: 'Way down in 4 s on ice, g (sin θ − μ cos θ) t²/2',
-      unit: 'm',
-      exact: slid(10, 0.05),
-      tolerance: { relative: 5e-3 },
-      at: { time: TIME },
-      measure: ({ distance }) => distance(),
-      preset: 'On ice',
-    },
-    {
-      label: 'Way down in 4 s of a wheel that is nearly flat',
-      unit: 'm',
-      exact: rolled(10),
-      tolerance: { relative: 0.015 },
-      at: { time: TIME },
-      measure: ({ distance }) => distance(),
-      preset: 'Nearly flat',
-    },
+  checks: ({ at }) => [
+    // The skin is a polygon of 64 corners and damped: a per cent of the energy stays on the way.
+    at(TIME, 'Way down in 4 s, g sin θ t²/4', { exact: rolled(10), unit: 'm', relative: 0.015 }, ({ distance }) =>
+      distance(),
+    ),
+    at(
+      TIME,
+      'Way down in 4 s on ice, g (sin θ − μ cos θ) t²/2',
+      { exact: slid(10, 0.05), unit: 'm', relative: 5e-3, preset: 'On ice' },
+      ({ distance }) => distance(),
+    ),
+    at(
+      TIME,
+      'Way down in 4 s of a wheel that is nearly flat',
+      { exact: rolled(10), unit: 'm', relative: 0.015, preset: 'Nearly flat' },
+      ({ distance }) => distance(),
+    ),
   ],
   tryThis: [
     'Choose “On ice”: with a coefficient of friction below tan θ/2 = 0.09 the wheel slides, and turns hardly at all.',

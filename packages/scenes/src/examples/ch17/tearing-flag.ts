@@ -92,26 +92,23 @@ export default defineExample({
       lines: [{ from: { x: MAST.x, y: -2 }, to: { x: MAST.x, y: MAST.y + 0.15 }, color: COLORS.grey, width: 6 }],
     };
   },
-  plots: [
-    {
-      title: 'Wind, and the end of the flag',
-      y: { label: 'm/s' },
-      series: [
-        { label: 'wind', value: ({ wind }) => wind() },
-        { label: 'end of the flag', value: ({ world, end }) => velocityOf(world, end).x },
-      ],
-    },
-    { title: 'Torn threads', y: { label: 'threads' }, series: [{ label: 'torn', value: ({ broken }) => broken() }] },
+  plots: (plot) => [
+    plot(
+      'Wind, and the end of the flag',
+      'm/s',
+      { label: 'wind', value: ({ wind }) => wind() },
+      { label: 'end of the flag', value: ({ world, end }) => velocityOf(world, end).x },
+    ),
+    plot('Torn threads', 'threads', { label: 'torn', value: ({ broken }) => broken() }),
   ],
-  checks: [
-    {
-      label: 'Slope of the flag at 12 m/s, weight over drag',
-      exact: WEIGHT / (12 * DRAG),
-      // As it still rises it lags by an eighth of a second, in which the wind grows by 1 %.
-      tolerance: { relative: 0.015 },
-      at: { time: 8 },
-      measure: ({ slope }) => slope(),
-    },
+  checks: ({ at }) => [
+    // As it still rises it lags by an eighth of a second, in which the wind grows by 1 %.
+    at(
+      8,
+      'Slope of the flag at 12 m/s, weight over drag',
+      { exact: WEIGHT / (12 * DRAG), relative: 0.015 },
+      ({ slope }) => slope(),
+    ),
     {
       label: 'Wind that tears it: a row of 21 knots pulls as hard as a thread is strong',
       unit: 'm/s',
@@ -121,14 +118,12 @@ export default defineExample({
       at: { event: ({ broken }) => broken() - 0.5 },
       measure: ({ wind }) => wind(),
     },
-    {
-      label: 'How far the torn flag is behind the growing wind, m/c times its growth',
-      unit: 'm/s',
-      exact: KNOT / DRAG,
-      tolerance: { relative: 1e-6 },
-      at: { time: 16 },
-      measure: ({ world, end, wind }) => wind() - velocityOf(world, end).x,
-    },
+    at(
+      16,
+      'How far the torn flag is behind the growing wind, m/c times its growth',
+      { exact: KNOT / DRAG, unit: 'm/s', relative: 1e-6 },
+      ({ world, end, wind }) => wind() - velocityOf(world, end).x,
+    ),
   ],
   tryThis: [
     'Choose “An old flag in gusts”: the weakest threads go first, their neighbours must bear more, and a tear runs on.',

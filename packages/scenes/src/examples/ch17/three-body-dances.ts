@@ -50,17 +50,15 @@ export default defineExample({
     );
   },
   picture: (run, { dance }) => threeBodyPicture(run, 3, 2, DANCES[dance].period),
-  plots: [
-    {
-      title: 'Energy',
-      y: { label: 'energy, J' },
-      series: [
-        { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
-        { label: 'total', value: ({ world }) => energy(world).total },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Energy',
+      'energy, J',
+      { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
+      { label: 'total', value: ({ world }) => energy(world).total },
+    ),
   ],
-  checks: [
+  checks: ({ at }) => [
     ...DANCES.map(({ name, period }) => ({
       label: `All are back where they started after ${period} s, off by`,
       unit: 'm',
@@ -71,13 +69,12 @@ export default defineExample({
       measure: ({ offStart }: ThreeBodyRun) => offStart(),
       preset: name,
     })),
-    {
-      label: 'Change of the energy, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-11 },
-      at: { time: 20 },
-      measure: ({ world, startEnergy }) => energy(world).total / startEnergy - 1,
-    },
+    at(
+      20,
+      'Change of the energy, as a fraction',
+      { exact: 0, absolute: 1e-11 },
+      ({ world, startEnergy }) => energy(world).total / startEnergy - 1,
+    ),
   ],
   tryThis: [
     'Let the butterfly go on: its wings turn slowly, because five digits of its start are not enough. More digits are in the literature.',

@@ -91,17 +91,15 @@ export default defineExample({
       trails: [...asteroids.slice(0, 2), probe].map((body) => ({ body, length: 1500, interval: 2 })),
     };
   },
-  plots: [
-    {
-      title: 'Angle from the planet',
-      y: { label: 'angle, °' },
-      series: [
-        { label: 'before it', value: ({ degrees, asteroids }) => degrees(asteroids[0]) },
-        { label: 'behind it', value: ({ degrees, asteroids }) => degrees(asteroids[1]) },
-      ],
-    },
+  plots: (plot) => [
+    plot(
+      'Angle from the planet',
+      'angle, °',
+      { label: 'before it', value: ({ degrees, asteroids }) => degrees(asteroids[0]) },
+      { label: 'behind it', value: ({ degrees, asteroids }) => degrees(asteroids[1]) },
+    ),
   ],
-  checks: [
+  checks: ({ at, largest }) => [
     {
       label: 'Period of a small swing about L4',
       unit: 's',
@@ -109,20 +107,13 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, probe, corner }) => positionOf(world, probe).y - corner.y, from: 2, to: 3 },
     },
-    {
-      label: 'Asteroids that left their side in 60 years',
-      exact: 0,
-      tolerance: { absolute: 0 },
-      at: { until: 60, take: 'largest' },
-      measure: ({ strays }) => strays(),
-    },
-    {
-      label: 'Change of Jacobi’s constant, as a fraction',
-      exact: 0,
-      tolerance: { absolute: 1e-6 },
-      at: { time: 60 },
-      measure: ({ world, start }) => energy(world).total / start - 1,
-    },
+    largest(60, 'Asteroids that left their side in 60 years', { exact: 0, absolute: 0 }, ({ strays }) => strays()),
+    at(
+      60,
+      'Change of Jacobi’s constant, as a fraction',
+      { exact: 0, absolute: 1e-6 },
+      ({ world, start }) => energy(world).total / start - 1,
+    ),
     {
       label: 'Growth of the speed in two swings about L4, ln',
       exact: ({ ratio }) => (4 * Math.PI * libration(ratio).growth) / libration(ratio).frequency,

@@ -106,23 +106,20 @@ export default defineExample({
       fills: [{ shape: { minX: -900, maxX: 900, minY: -900, maxY: 900 }, color: 0x060a16 }],
     };
   },
-  plots: [
-    {
-      title: 'How wavy the rows are',
-      y: { label: 'ln(shift / m)' },
-      series: [{ label: 'every second vortex', value: ({ waviness }) => log(waviness()) }],
-    },
+  plots: (plot) => [
+    plot('How wavy the rows are', 'ln(shift / m)', {
+      label: 'every second vortex',
+      value: ({ waviness }) => log(waviness()),
+    }),
   ],
-  checks: [
-    {
-      label: 'Speed of the street against the fluid, Γ/(2a) tanh(π h/a)',
-      unit: 'm/s',
-      exact: speedOf,
-      // Shifts of 2·10⁻⁴ change it by their square; so do steps of 1/60 s, in which the street moves 0.4 % of a spacing.
-      tolerance: { relative: 1e-4 },
-      at: { time: 3 },
-      measure: ({ drift }) => drift(),
-    },
+  checks: ({ at }) => [
+    // Shifts of 2·10⁻⁴ change it by their square; so do steps of 1/60 s, in which the street moves 0.4 % of a spacing.
+    at(
+      3,
+      'Speed of the street against the fluid, Γ/(2a) tanh(π h/a)',
+      { exact: speedOf, unit: 'm/s', relative: 1e-4 },
+      ({ drift }) => drift(),
+    ),
     {
       label: 'ln of how much the shifts of Kármán’s street grow in 20 s',
       exact: 0,

@@ -9,8 +9,9 @@ import {
   sin,
   spawn,
 } from '@principia/physics';
-import type { ExampleParameter, Plot } from '../define-example.ts';
+import type { ExampleParameter } from '../define-example.ts';
 import { COLORS, type Picture, pointsOf } from '../picture.ts';
+import type { Plot } from '../plot.ts';
 import { lengthOf, positionOf, velocityOf } from './read.ts';
 
 /** Amplitude at the start, px. */
