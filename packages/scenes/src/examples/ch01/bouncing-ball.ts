@@ -1,6 +1,7 @@
 import { particleContacts, spawn, wallContacts } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { type BallRun, positionOf, velocityOf } from '../support/read.ts';
 import { comeBack, GROUND, RADIUS, STAGE, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
@@ -57,7 +58,7 @@ export default defineExample({
       lines: heights.map(({ y }) => ({ from: { x: 0, y }, to: { x: 700, y }, color: COLORS.ground, width: 1 })),
       labels: heights.slice(0, 3).map(({ bounces, y }) => ({ at: { x: 610, y }, text: `bounce ${bounces}` })),
       trails: [{ body: ball, length: 500 }],
-      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.2 }],
+      arrows: [velocityArrow(world, ball, 0.2)],
     };
   },
   plots: (plot) => [

@@ -1,6 +1,7 @@
 import { createRandom, spawn, velocityVerlet } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { positionOf, speedOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { speedOf } from '../support/read.ts';
 import { comeBack, GROUND, RADIUS, randomLaunch, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const DRAWS = 10_000;
@@ -48,7 +49,7 @@ export default defineExample({
     view: STAGE_VIEW,
     fills: [GROUND],
     trails: ids.map((body) => ({ body, length: 120 })),
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.3 }],
+    arrows: [velocityArrow(world, ball, 0.3)],
   }),
   plots: (plot) => [
     plot('Speed of the first ball', 'speed, px/s', {

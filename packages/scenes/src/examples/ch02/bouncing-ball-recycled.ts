@@ -2,7 +2,8 @@ import { bodies, createRandom, keepState, spawn, velocityVerlet } from '@princip
 import { relaunchOutside, removeOutside, wrapAround } from '../../edges.ts';
 import { teleport } from '../../teleport.ts';
 import { choiceOf, defineExample } from '../define-example.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf } from '../support/read.ts';
 import { GROUND, RADIUS, randomLaunch, STAGE, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
 const START = { x: 50, y: 50 };
@@ -43,7 +44,7 @@ export default defineExample({
     view: STAGE_VIEW,
     fills: [GROUND],
     trails: [{ body: ball, length: 300 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.3 }],
+    arrows: [velocityArrow(world, ball, 0.3)],
     labels: [{ at: { x: 20, y: 495 }, text: () => `throw ${launches.count}` }],
   }),
   plots: (plot) => [

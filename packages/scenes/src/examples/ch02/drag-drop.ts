@@ -1,6 +1,7 @@
 import { spawn, velocityVerlet } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 import { GROUND, RADIUS, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
@@ -43,7 +44,7 @@ export default defineExample({
       { at: { x: 505, y: FLOOR - height * restitution * restitution + 8 }, text: 'comes back to here' },
     ],
     trails: [{ body: ball, length: 200 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.2 }],
+    arrows: [velocityArrow(world, ball, 0.2)],
   }),
   plots: (plot) => [
     plot('Height', 'height, px', { label: 'height', value: ({ world, ball }) => FLOOR - positionOf(world, ball).y }),

@@ -1,6 +1,7 @@
 import { createPhysicsWorld, keepState, linearDrag, rgba, spawn, thrust, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 const DELAY = 120;
@@ -62,9 +63,7 @@ export default defineExample({
       { body: first, length: 400 },
       { body: echo, length: 400 },
     ],
-    arrows: [
-      { label: 'v', from: () => positionOf(world, first), vector: () => velocityOf(world, first), color: COLORS.green },
-    ],
+    arrows: [velocityArrow(world, first, 1)],
     labels: [
       {
         at: () => ({ x: positionOf(world, echo).x + 14, y: positionOf(world, echo).y }),

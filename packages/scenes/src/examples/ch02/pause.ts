@@ -1,6 +1,7 @@
 import { keepState, spawn, velocityVerlet } from '@principia/physics';
 import { teleport } from '../../teleport.ts';
 import { defineExample } from '../define-example.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 import { comeBack, GROUND, RADIUS, STAGE_VIEW, stageWorld } from '../support/stage.ts';
 
@@ -48,7 +49,7 @@ export default defineExample({
     view: STAGE_VIEW,
     fills: [GROUND],
     trails: [{ body: ball, length: 300 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.2 }],
+    arrows: [velocityArrow(world, ball, 0.2)],
     labels: [{ at: { x: 20, y: 495 }, text: () => (hold.isOn ? 'held' : `${hold.time.toFixed(1)} s held so far`) }],
   }),
   actions: {

@@ -1,7 +1,8 @@
 import { createPhysicsWorld, rgba, spawn, velocityVerlet } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf } from '../support/read.ts';
 
 const START = { x: 150, y: 50 };
 
@@ -28,7 +29,7 @@ export default defineExample({
     yDown: true,
     view: { minX: 0, maxX: 600, minY: 0, maxY: 350 },
     trails: [{ body: ball, length: 300 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 1.5 }],
+    arrows: [velocityArrow(world, ball, 1.5)],
     dots: [1, 2, 3, 4, 5].map((t) => ({
       at: { x: START.x + vx * t, y: START.y + vy * t },
       radius: 4,

@@ -1,6 +1,7 @@
 import { bodies, createPhysicsWorld, createRandom, rgba, spawn, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf } from '../support/read.ts';
 
 const DT = 1 / 60;
 
@@ -41,7 +42,7 @@ export default defineExample({
     yDown: true,
     view: { minX: 0, maxX: 700, minY: 0, maxY: 500 },
     trails: [{ body: ball, length: 400 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 2 }],
+    arrows: [velocityArrow(world, ball, 2)],
   }),
   plots: (plot) => [
     plot('Place of the red ball', 'x, px', {

@@ -2,7 +2,8 @@ import { createPhysicsWorld, exp, linearDrag, motors, rgba, rungeKutta4, spawn }
 import { wrapAround } from '../../edges.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { positionOf, speedOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { speedOf } from '../support/read.ts';
 
 type Values = ValuesOf<'power' | 'drag' | 'speed'>;
 const ROAD = 700;
@@ -46,12 +47,7 @@ export default defineExample({
       { shape: { minX: -2000, maxX: 2000, minY: 60, maxY: 63 }, color: COLORS.ground },
       { shape: { minX: -2000, maxX: 2000, minY: 0, maxY: 3 }, color: COLORS.ground },
     ],
-    arrows: [ball, coasting].map((id) => ({
-      label: 'v',
-      from: () => positionOf(world, id),
-      vector: () => velocityOf(world, id),
-      scale: 3,
-    })),
+    arrows: [ball, coasting].map((id) => velocityArrow(world, id, 3)),
     labels: [
       {
         at: () => ({ x: 10, y: 110 }),

@@ -1,6 +1,7 @@
 import { createPhysicsWorld, keepState, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 type Values = ValuesOf<'acceleration' | 'velocity'>;
@@ -45,7 +46,7 @@ export default defineExample({
       color: COLORS.yellow,
     })),
     arrows: [
-      { label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), color: COLORS.green },
+      velocityArrow(world, ball, 1),
       {
         label: 'a',
         from: () => ({ x: positionOf(world, ball).x, y: 12 }),

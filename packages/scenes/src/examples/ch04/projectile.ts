@@ -8,7 +8,8 @@ import {
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, pointsOf } from '../picture.ts';
-import { type BallRun, positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf } from '../support/read.ts';
 
 const START = { x: 100, y: 350 };
 
@@ -38,7 +39,7 @@ export default defineExample({
       view: { minX: 60, maxX: 460, minY: 0, maxY: 390 },
       lines: [{ from: { x: 60, y: START.y + 12 }, to: { x: 460, y: START.y + 12 }, color: COLORS.ground }],
       curves: [{ points: pointsOf(exact, 0, 16), now: exact, markRadius: 12, label: 'exact', color: COLORS.grey }],
-      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
+      arrows: [velocityArrow(world, ball, 0.6)],
     };
   },
   plots: (plot) => [
@@ -78,7 +79,7 @@ export default defineExample({
         16,
         'Back at the height of the start after 16 s: off by',
         { exact: 0, unit: 'px', absolute: 1e-9, integrator },
-        ({ world, ball }: BallRun) => positionOf(world, ball).y - START.y,
+        ({ world, ball }) => positionOf(world, ball).y - START.y,
       ),
     ),
   ],

@@ -1,6 +1,7 @@
 import { createPhysicsWorld, rgba, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 export default defineExample({
@@ -38,12 +39,7 @@ export default defineExample({
       { shape: { minX: -200, maxX: 300, minY: -7.7, maxY: -7.5 }, color: COLORS.ground },
       { shape: { minX: -200, maxX: 300, minY: -1.7, maxY: -1.5 }, color: COLORS.ground },
     ],
-    arrows: [ball, other].map((id) => ({
-      label: 'v',
-      from: () => positionOf(world, id),
-      vector: () => velocityOf(world, id),
-      scale: 0.3,
-    })),
+    arrows: [ball, other].map((id) => velocityArrow(world, id, 0.3)),
   }),
   plots: (plot) => [
     plot('Velocity', 'v, m/s', {

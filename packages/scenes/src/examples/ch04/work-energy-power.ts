@@ -1,6 +1,7 @@
 import { createPhysicsWorld, energy, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, speedOf, velocityOf } from '../support/read.ts';
 
 const MASS = 2;
@@ -51,7 +52,7 @@ export default defineExample({
           scale: 0.4,
           color: COLORS.orange,
         },
-        { label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.4 },
+        velocityArrow(world, ball, 0.4),
       ],
       labels: [
         { at: { x: -7, y: -1.6 }, text: 'work', color: COLORS.orange },

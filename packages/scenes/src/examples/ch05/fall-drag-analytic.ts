@@ -9,6 +9,7 @@ import {
 } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 type Values = ValuesOf<'gravity' | 'drag'>;
@@ -48,7 +49,7 @@ export default defineExample({
       },
     ],
     trails: [ball, without].map((body) => ({ body, length: 900 })),
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 3 }],
+    arrows: [velocityArrow(world, ball, 3)],
     labels: [{ at: { x: 145, y: START + 8 }, text: 'without drag', color: COLORS.grey }],
   }),
   plots: (plot) => [

@@ -2,6 +2,7 @@ import { buoyancy, createPhysicsWorld, immersedDrag, rgba, spawn, uniformGravity
 import { teleport } from '../../teleport.ts';
 import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 const LEVEL = 300;
@@ -43,7 +44,7 @@ export default defineExample({
       view: VIEW,
       fills: [{ shape: { ...VIEW, minY: LEVEL }, color: COLORS.water, opacity: 0.45, inFront: true }],
       trails: [{ body: ball, length: 300 }],
-      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.5 }],
+      arrows: [velocityArrow(world, ball, 0.5)],
     };
   },
   actions: {

@@ -1,6 +1,7 @@
 import { centreOfMass, createPhysicsWorld, momentum, rgba, spawn, springs, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, speedOf, velocityOf } from '../support/read.ts';
 
 const LENGTH = 2;
@@ -65,7 +66,7 @@ export default defineExample({
         scale: 0.05,
         color: COLORS.red,
       },
-      { label: 'v', from: () => positionOf(world, free), vector: () => velocityOf(world, free) },
+      velocityArrow(world, free, 1),
     ],
     dots: [{ at: () => centreOfMass(world), color: COLORS.white }],
   }),

@@ -1,7 +1,8 @@
 import { createPhysicsWorld, energy, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf } from '../support/read.ts';
 
 export default defineExample({
   id: 'ch05-projectile-energy',
@@ -39,7 +40,7 @@ export default defineExample({
         { from: { x: -10, y: 62.5 }, to: { x: 80, y: 62.5 }, color: COLORS.ground },
       ],
       trails: [{ body: ball, length: 300 }],
-      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
+      arrows: [velocityArrow(world, ball, 0.6)],
       labels: [
         { at: () => ({ x: -110, y: kinetic() / 20 - 2 }), text: 'motion', color: COLORS.blue },
         { at: () => ({ x: -110, y: (kinetic() + energy(world).total) / 20 - 2 }), text: 'height', color: COLORS.red },

@@ -1,12 +1,12 @@
 import { attractors, createPhysicsWorld, rgba, rungeKutta4, spawn } from '@principia/physics';
-import { defineExample, type ValuesOf } from '../define-example.ts';
+import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { lengthOf, positionOf, speedOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { lengthOf, positionOf, speedOf } from '../support/read.ts';
 
 const GM = 1e6;
 const START = 167.705;
 const ESCAPE = Math.sqrt((2 * GM) / START);
-type Values = ValuesOf<'fast' | 'slow'>;
 /** Highest distance of a body that starts with a fraction of the escape velocity. */
 const apex = (fraction: number) => START / (1 - fraction * fraction);
 
@@ -42,12 +42,7 @@ export default defineExample({
     lines: [{ from: { x: -150, y: apex(slow) }, to: { x: 150, y: apex(slow) }, color: COLORS.grey, width: 1 }],
     labels: [{ at: { x: 160, y: apex(slow) - 20 }, text: 'turns back here', color: COLORS.grey }],
     trails: [blue, orange].map((body) => ({ body, length: 1500 })),
-    arrows: [blue, orange].map((id) => ({
-      label: 'v',
-      from: () => positionOf(world, id),
-      vector: () => velocityOf(world, id),
-      scale: 3,
-    })),
+    arrows: [blue, orange].map((id) => velocityArrow(world, id, 3)),
   }),
   plots: (plot) => [
     plot(
@@ -67,7 +62,7 @@ export default defineExample({
     at(
       900,
       'Speed that is left of the orange one, √(v² − v_esc²)',
-      { exact: ({ fast }: Values) => ESCAPE * Math.sqrt(fast * fast - 1), unit: 'px/s', relative: 1e-3 },
+      { exact: ({ fast }) => ESCAPE * Math.sqrt(fast * fast - 1), unit: 'px/s', relative: 1e-3 },
       ({ leftOver }) => leftOver(),
     ),
     largest(

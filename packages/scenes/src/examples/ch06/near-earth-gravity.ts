@@ -1,6 +1,7 @@
 import { attractors, createPhysicsWorld, spawn, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 /** Gravitational parameter, m³/s², and mean radius, m, of the Earth. */
@@ -32,7 +33,7 @@ export default defineExample({
     lines: [{ from: { x: -400, y: top }, to: { x: -400, y: 0 }, color: COLORS.grey, width: 4 }],
     trails: [{ body: ball, length: 300 }],
     curves: [{ points: [], now: constant, markRadius: 180, label: 'with constant gravity', color: COLORS.orange }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 4 }],
+    arrows: [velocityArrow(world, ball, 4)],
     labels: [
       {
         at: { x: -5800, y: 11600 },

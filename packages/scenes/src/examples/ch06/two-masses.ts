@@ -9,6 +9,7 @@ import {
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 
 const G = 1e5;
@@ -65,10 +66,7 @@ export default defineExample({
     view: { minX: 50, maxX: 700, minY: 0, maxY: 400 },
     trails: [blue, red].map((body) => ({ body, length: 900 })),
     lines: [{ from: () => positionOf(world, blue), to: () => positionOf(world, red), color: COLORS.ground, width: 1 }],
-    arrows: [
-      { label: 'v', from: () => positionOf(world, blue), vector: () => velocityOf(world, blue), scale: 0.3 },
-      { label: 'v', from: () => positionOf(world, red), vector: () => velocityOf(world, red), scale: 3 },
-    ],
+    arrows: [velocityArrow(world, blue, 0.3), velocityArrow(world, red, 3)],
     dots: [
       { at: { x: 150, y: 200 }, radius: 3, color: COLORS.grey },
       { at: { x: 350, y: 200 }, radius: 3, color: COLORS.grey },

@@ -1,6 +1,7 @@
 import { accelerationField, createPhysicsWorld, rgba, rungeKutta4, spawn } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
 import { COLORS, pointsOf } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 const DENSITY = 1.2;
@@ -69,9 +70,7 @@ export default defineExample({
         { points: wall(-1), color: COLORS.orange },
       ],
       dots: [{ at: () => positionOf(world, first), color: COLORS.red, radius: 8 }],
-      arrows: [
-        { label: 'v', from: () => positionOf(world, first), vector: () => velocityOf(world, first), scale: 0.4 },
-      ],
+      arrows: [velocityArrow(world, first, 0.4)],
       labels: [
         { at: { x: -38, y: -17 }, text: () => `static ${still(first).toFixed(0)} Pa` },
         { at: { x: -38, y: -21 }, text: () => `dynamic ${dynamic(first).toFixed(0)} Pa` },

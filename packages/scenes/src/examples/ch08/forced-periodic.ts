@@ -92,7 +92,7 @@ export default defineExample({
       ({ amplitude }) => amplitude(),
     ),
     ...OMEGAS.map(([preset, , exact]) =>
-      at(60, `${preset}: amplitude after 60 s`, { exact, unit: 'px', relative: 1e-3, preset }, ({ amplitude }: Run) =>
+      at(60, `${preset}: amplitude after 60 s`, { exact, unit: 'px', relative: 1e-3, preset }, ({ amplitude }) =>
         amplitude(),
       ),
     ),

@@ -134,7 +134,7 @@ export default defineExample({
         TIME,
         'Width of the swing, 100/ω²',
         { exact, unit: 'px', relative: 1e-3, preset: FIELDS[i + 1].name },
-        ({ world, body }: Run) => positionOf(world, body).y - START.y,
+        ({ world, body }) => positionOf(world, body).y - START.y,
       ),
     ),
     at(

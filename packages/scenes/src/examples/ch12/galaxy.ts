@@ -85,14 +85,14 @@ export default defineExample({
   plots: (plot) => [
     plot('Mean distance of the stars from the centre', 'r, px', {
       label: 'stars',
-      value: ({ world, stars }: Run) =>
+      value: ({ world, stars }) =>
         stars.reduce((sum, id) => sum + distanceBetween(positionOf(world, id), CENTRE), 0) / stars.length,
     }),
   ],
   checks: ({ at, largest }) => [
     at(0, 'Dark matter within 300 px', { exact: 2.3987e5, unit: 'kg', relative: 1e-5 }, () => DARK[300]),
     ...SPEEDS.map(([r, exact]) =>
-      at(0, `Speed on a circle at ${r} px, √(GM/r)`, { exact, unit: 'px/s', absolute: 5e-3 }, ({ speedOn }: Run) =>
+      at(0, `Speed on a circle at ${r} px, √(GM/r)`, { exact, unit: 'px/s', absolute: 5e-3 }, ({ speedOn }) =>
         speedOn(r),
       ),
     ),
@@ -100,7 +100,7 @@ export default defineExample({
       30,
       'Largest change of a star’s distance in 30 s, of the distance',
       { exact: 0, absolute: 0.02 },
-      ({ world, stars, starts }: Run) =>
+      ({ world, stars, starts }) =>
         stars.reduce((most, id, i) => {
           const r = distanceBetween(positionOf(world, id), CENTRE);
           return Math.max(most, Math.abs(r / starts[i] - 1));

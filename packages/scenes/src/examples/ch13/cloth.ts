@@ -120,7 +120,7 @@ export default defineExample({
         120,
         `Force of the pins in the wind ${axis === 'x' ? 'against the wind' : 'upwards'}: both are equal`,
         { exact: 14700, unit: 'N', relative: 1e-3, preset: 'In the wind' },
-        ({ support }: { support(axis: 'x' | 'y'): number }) => support(axis),
+        ({ support }) => support(axis),
       ),
     ),
   ],

@@ -120,7 +120,7 @@ export default defineExample({
         20,
         `Random points by the formula, ${preset}`,
         { exact: 1, relative: 0.01, preset },
-        ({ estimate, exact }: Run) => estimate() / exact,
+        ({ estimate, exact }) => estimate() / exact,
       ),
     ),
   ],

@@ -142,7 +142,7 @@ export default defineExample({
         4,
         `${preset}: acceleration, by g sin θ`,
         { exact: share, relative: 1e-6, preset },
-        ({ world, ball }: Run) => speedOf(world, ball) / (world.time * (GRAVITY / Math.sqrt(17))),
+        ({ world, ball }) => speedOf(world, ball) / (world.time * (GRAVITY / Math.sqrt(17))),
       ),
     ),
     at(

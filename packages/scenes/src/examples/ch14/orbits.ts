@@ -11,6 +11,7 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 
 const SUN = { x: 400, y: 300 };
@@ -57,7 +58,7 @@ export default defineExample({
     yDown: true,
     view: { minX: 60, maxX: 740, minY: 60, maxY: 590 },
     trails: [{ body: ball, length: 2000, interval: 2 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.8 }],
+    arrows: [velocityArrow(world, ball, 0.8)],
   }),
   plots: (plot) => [
     // Energy of a bound orbit is negative: its fraction grows when energy is lost.

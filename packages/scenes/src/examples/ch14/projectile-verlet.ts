@@ -1,7 +1,8 @@
 import { createPhysicsWorld, positionVerlet, spawn, uniformGravity } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, pointsOf } from '../picture.ts';
-import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { distanceBetween, positionOf } from '../support/read.ts';
 
 const START = { x: 50, y: 550 };
 const VELOCITY = { x: 30, y: -100 };
@@ -42,7 +43,7 @@ export default defineExample({
     view: { minX: 0, maxX: 800, minY: 0, maxY: 600 },
     curves: [{ points: pointsOf(exact, 0, 20), now: exact, markRadius: 16, label: 'exact', color: COLORS.red }],
     trails: [{ body: ball, length: 1200 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
+    arrows: [velocityArrow(world, ball, 0.6)],
   }),
   plots: (plot) => [
     plot('Height', 'height, px', {

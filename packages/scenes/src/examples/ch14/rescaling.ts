@@ -1,6 +1,7 @@
 import { attractors, createPhysicsWorld, type Integrator, rgba, rungeKutta4, spawn, step } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 
 /** The astronomical unit, m, a year, s, and the gravitational parameter of the sun, m³/s². */
@@ -51,7 +52,7 @@ export default defineExample({
     view: { minX: -2.9, maxX: 1.5, minY: -1.5, maxY: 1.5 },
     trails: [{ body: ball, length: 500 }],
     curves: [{ points: [], now: inMetres, markRadius: 0.06, label: 'in metres', color: COLORS.orange }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.08 }],
+    arrows: [velocityArrow(world, ball, 0.08)],
   }),
   plots: [
     {

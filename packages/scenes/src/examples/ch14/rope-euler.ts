@@ -6,10 +6,6 @@ import { ropeLinks } from '../support/rope-links.ts';
 
 const LINK = { stiffness: 500, damping: 20, length: 20 };
 
-interface Rope {
-  fastest(): number;
-}
-
 export default defineExample({
   id: 'ch14-rope-euler',
   title: 'A rope that boils over',
@@ -51,7 +47,7 @@ export default defineExample({
         300,
         'Speed of the fastest knot after 300 s',
         { exact: 0, unit: 'px/s', absolute: 1e-3, integrator },
-        ({ fastest }: Rope) => fastest(),
+        ({ fastest }) => fastest(),
       ),
     ),
     at(

@@ -1,6 +1,7 @@
 import { boxWalls, createPhysicsWorld, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
 const [ROOF, GROUND, RADIUS] = [100, 300, 4];
@@ -47,7 +48,7 @@ export default defineExample({
       { shape: { minX: -900, maxX: 1500, minY: GROUND, maxY: 900 }, color: COLORS.ground },
     ],
     trails: [{ body: ball, length: 200 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.15 }],
+    arrows: [velocityArrow(world, ball, 0.15)],
     labels: [
       { at: { x: 320, y: 120 }, text: () => `${(fallen() / scale).toFixed(1)} m of ${(FALL / scale).toFixed(1)} m` },
     ],

@@ -12,7 +12,8 @@ import {
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, pointsOf } from '../picture.ts';
-import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { distanceBetween, positionOf } from '../support/read.ts';
 
 const START = { x: 50, y: 400 };
 /** Exact place with the drag coefficient 0.1. */
@@ -60,7 +61,7 @@ export default defineExample({
       { points: pointsOf(exactPlace, 0, 10), now: exactPlace, markRadius: 15, label: 'exact', color: COLORS.grey },
     ],
     trails: [{ body: ball, length: 1200 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.6 }],
+    arrows: [velocityArrow(world, ball, 0.6)],
   }),
   plots: (plot) => [
     plot('Distance from the exact place', 'error, px', { label: 'error', value: ({ error }) => error() }),

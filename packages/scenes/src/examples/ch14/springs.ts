@@ -11,6 +11,7 @@ import {
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, velocityOf } from '../support/read.ts';
 
 const CENTRE = { x: 400, y: 150 };
@@ -75,7 +76,7 @@ export default defineExample({
     ],
     curves: [{ points: [], now: exact, markRadius: 21, label: 'exact', color: COLORS.grey }],
     trails: [{ body: ball, length: 300 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.4 }],
+    arrows: [velocityArrow(world, ball, 0.4)],
   }),
   plots: (plot) => [
     plot('Displacement', 'x, px', {

@@ -1,7 +1,8 @@
 import { boxWalls, createPhysicsWorld, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
-import { positionOf, velocityOf } from '../support/read.ts';
+import { velocityArrow } from '../support/arrows.ts';
+import { positionOf } from '../support/read.ts';
 
 const RADIUS = 0.1;
 
@@ -38,7 +39,7 @@ export default defineExample({
     })),
     labels: [{ at: { x: 0.62, y: 0.64 * height + RADIUS - 0.03 }, text: 'e² of the height', color: COLORS.grey }],
     trails: [{ body: ball, length: 100 }],
-    arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball), scale: 0.15 }],
+    arrows: [velocityArrow(world, ball, 0.15)],
   }),
   plots: (plot) => [
     plot('Height', 'height, m', { label: 'height', value: ({ world, ball }) => positionOf(world, ball).y - RADIUS }),

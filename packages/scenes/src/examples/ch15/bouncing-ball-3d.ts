@@ -1,6 +1,7 @@
 import { boxWalls, createPhysicsWorld, spawn, uniformGravity, velocityVerlet } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { type BallRun, positionOf, velocityOf } from '../support/read.ts';
 
 const RADIUS = 20;
@@ -52,7 +53,7 @@ export default defineExample({
           color: COLORS.yellow,
         },
       ],
-      arrows: [{ label: 'v', from: () => positionOf(world, ball), vector: () => velocityOf(world, ball) }],
+      arrows: [velocityArrow(world, ball, 1)],
     };
   },
   plots: (plot) => [

@@ -8,7 +8,7 @@ import {
   velocityVerlet,
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
-import { COLORS } from '../picture.ts';
+import { velocityArrow } from '../support/arrows.ts';
 import { lengthOf, positionOf, velocityOf } from '../support/read.ts';
 import { globeLines, point, pointOn } from '../support/space.ts';
 
@@ -55,15 +55,7 @@ export default defineExample({
     camera: { eye: point(0, 450, 1000), target: point(40, 0, 0) },
     lines: globeLines(100, (local) => pointOn(world, earth, local), 0x7fb2ff),
     trails: [{ body: ball, length: 1800, interval: 4 }],
-    arrows: [
-      {
-        label: 'v',
-        from: () => positionOf(world, ball),
-        vector: () => velocityOf(world, ball),
-        scale: 6,
-        color: COLORS.green,
-      },
-    ],
+    arrows: [velocityArrow(world, ball, 6)],
   }),
   plots: (plot) => [plot('Distance of the Moon', 'r, px', { label: 'distance', value: ({ r }) => r() })],
   checks: ({ at, largest, smallest }) => [
@@ -89,7 +81,7 @@ export default defineExample({
         240,
         'Angular momentum after 240 s, relative to 3600',
         { exact: 1, absolute: 1e-12, integrator },
-        ({ world }: { world: Parameters<typeof angularMomentum>[0] }) => angularMomentum(world).y / 3600,
+        ({ world }) => angularMomentum(world).y / 3600,
       ),
     ),
   ],

@@ -90,7 +90,7 @@ export default defineExample({
         event: ({ world, between }: SolarRun & { between(): number }) => (world.time > 12 ? -between() : -1),
         count: 1,
       },
-      measure: ({ world }: SolarRun) => DAYS * world.time,
+      measure: ({ world }) => DAYS * world.time,
     },
   ],
   tryThis: [
