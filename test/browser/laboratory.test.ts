@@ -9,6 +9,8 @@ import { playAtRandom } from '../support/random-input.ts';
 
 /** Half seconds of random input for every example: a few in each run, more with `RANDOM_INPUT=120`, which is a minute. */
 const RANDOM_ROUNDS = Number(process.env.RANDOM_INPUT ?? 4);
+/** Milliseconds that a round takes at most on a busy machine: 60 of steps, and the frames of a software renderer. */
+const LONGEST_ROUND = 500;
 
 declare global {
   var messages: string[];
@@ -91,10 +93,15 @@ async function regions(page: Page, colors: readonly number[]): Promise<{ count: 
 const chapters = [...new Set(EXAMPLES.map(({ chapter }) => chapter))];
 
 describe.each(chapters)('every example of chapter %i', (chapter) => {
-  it('opens, moves, draws and says nothing to the console', async () => {
-    const page = await laboratory.open('', { until: 'nothing', viewport: { width: 600, height: 400 } });
-    for (const example of EXAMPLES) if (example.chapter === chapter) await tryExample(page, example);
-  });
+  const examples = EXAMPLES.filter((example) => example.chapter === chapter);
+  it(
+    'opens, moves, draws and says nothing to the console',
+    async () => {
+      const page = await laboratory.open('', { until: 'nothing', viewport: { width: 600, height: 400 } });
+      for (const example of examples) await tryExample(page, example);
+    },
+    120_000 + examples.length * RANDOM_ROUNDS * LONGEST_ROUND,
+  );
 });
 
 describe('the drawing surface', () => {
