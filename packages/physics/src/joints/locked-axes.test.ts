@@ -80,7 +80,10 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
           : { position: {}, collider: { ...collider, density: 0.2 }, motionLocks: { ...locks, angle: true } },
       );
       const slider = spawn(world, { position: { y: 1 }, collider: { shape: box(0.5, 0.5), density: 40, layers: 0 } });
-      createJoint(world, prismatic({ a: base, b: slider, axis: { x: 0, y: 1 }, motor: { speed: 0.5, max: 1e4 } }));
+      createJoint(
+        world,
+        prismatic({ a: base, b: slider, anchor: { y: 1 }, axis: { x: 0, y: 1 }, motor: { speed: 0.5, max: 1e4 } }),
+      );
       run(world, 1);
       return world.components.Velocity.y[slider] as number;
     });
