@@ -7,9 +7,14 @@ import {
   createPhysicsWorld,
   despawn,
   distance,
+  gear,
   MAX_ANGULAR_SPEED,
+  motorJoint,
+  mouseJoint,
   type PhysicsWorld,
   polygon,
+  prismatic,
+  pulley,
   revolute,
   rigidBodies,
   spawn,
@@ -17,6 +22,8 @@ import {
   spawnMany,
   step,
   uniformGravity,
+  weld,
+  wheel,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
@@ -301,6 +308,31 @@ describe('joints of rigid bodies', () => {
     }
     assertRefused(world, () => createJoint(world, revolute({ a: crate, b: crate, anchor: {} })), { code: 'E_RANGE' });
     assertRefused(world, () => createJoint(world, distance({ a: crate, b: 1100 })), { code: 'E_STALE' });
+    assertRigidWorldAlive(world);
+  });
+
+  it('53 a joint whose point, axis or limit is not said is refused', () => {
+    const { world, crate: b } = crateWorld();
+    const a = spawn(world, { position: { x: 5 }, collider: { shape: box(1, 1), density: 1 } });
+    const describe = { revolute, weld, prismatic, wheel, pulley, gear, mouseJoint, motorJoint } as const;
+    const missing: readonly (readonly [keyof typeof describe, object, string])[] = [
+      ['revolute', {}, 'anchor'],
+      ['weld', {}, 'anchor'],
+      ['prismatic', { axis: { x: 1 } }, 'anchor'],
+      ['prismatic', { anchor: {} }, 'axis'],
+      ['wheel', {}, 'anchor'],
+      ['pulley', { pulleyA: {} }, 'pulleyB'],
+      ['gear', {}, 'ratio'],
+      ['mouseJoint', { maxForce: 1 }, 'target'],
+      ['mouseJoint', { target: {} }, 'maxForce'],
+      ['motorJoint', { maxForce: 1 }, 'maxTorque'],
+    ];
+    for (const [name, options, field] of missing) {
+      const make = describe[name] as (options: object) => Parameters<typeof createJoint>[1];
+      const bodies = name === 'mouseJoint' ? { b } : { a, b };
+      const error = refusal(() => createJoint(world, make({ ...bodies, ...options })));
+      expect([name, error.code, error.field]).toEqual([name, 'E_TYPE', `${name}.${field}`]);
+    }
     assertRigidWorldAlive(world);
   });
 });

@@ -101,6 +101,19 @@ const NUMBERS = [
 /** The joints that couple two bodies, and so need both. */
 const PAIRS: readonly string[] = ['pulley', 'gear', 'filterJoint'];
 
+/** The options that a joint cannot do without, besides the bodies. */
+const REQUIRED: Readonly<Partial<Record<keyof typeof KINDS, readonly (keyof AllOptions)[]>>> = {
+  revolute: ['anchor'],
+  weld: ['anchor'],
+  prismatic: ['anchor', 'axis'],
+  wheel: ['anchor'],
+  // A motor without a limit would be a weld.
+  motorJoint: ['maxForce', 'maxTorque'],
+  mouseJoint: ['target', 'maxForce'],
+  pulley: ['pulleyA', 'pulleyB'],
+  gear: ['ratio'],
+};
+
 /** The kinds of joints, as in kernels/joints/2d/joint-table.ts, by the function that describes one. */
 const KINDS = {
   revolute: 0,
@@ -128,20 +141,35 @@ export function describeJoint(
   checkKeys(options, caller, ['a', 'b', 'collide', 'breakForce', 'breakTorque', ...names]);
   checkWhole(options.b, `${caller}.b`, 1, MAX_CAPACITY);
   if (options.a !== undefined || PAIRS.includes(caller)) checkWhole(options.a, `${caller}.a`, 1, MAX_CAPACITY);
+  const required = REQUIRED[caller] ?? [];
   for (const name of POINTS) {
-    if (options[name] !== undefined) checkVector(options[name], `${caller}.${name}`);
+    if (options[name] !== undefined || required.includes(name)) checkVector(options[name], `${caller}.${name}`);
   }
   const { a = 0, b, anchor, anchorA = options.target ?? anchor, anchorB = anchor, axis, pulleyA, pulleyB } = options;
-  return { kind: KINDS[caller], a, b, anchorA, anchorB, axis, pulleyA, pulleyB, fields: fieldsOf(caller, options) };
+  return {
+    kind: KINDS[caller],
+    a,
+    b,
+    anchorA,
+    anchorB,
+    axis,
+    pulleyA,
+    pulleyB,
+    fields: fieldsOf(caller, options, required),
+  };
 }
 
-function fieldsOf(caller: string, options: AllOptions): Record<string, number> {
+function fieldsOf(
+  caller: string,
+  options: AllOptions,
+  required: readonly (keyof AllOptions)[],
+): Record<string, number> {
   const { limits, spring, motor, collide } = options;
   const fields: Record<string, number> = {};
-  const take = (field: string, value: number | undefined, name: string, min = 0) => {
-    if (value !== undefined) fields[field] = checkNumber(value, `${caller}.${name}`, { min, max: 1e12 });
+  const take = (field: string, value: number | undefined, name: string, min = 0, isRequired = false) => {
+    if (value !== undefined || isRequired) fields[field] = checkNumber(value, `${caller}.${name}`, { min, max: 1e12 });
   };
-  for (const [name, field, min] of NUMBERS) take(field, options[name], name, min);
+  for (const [name, field, min] of NUMBERS) take(field, options[name], name, min, required.includes(name));
   fields.collide = Number(checkFlag(collide ?? false, `${caller}.collide`));
   if (limits !== undefined) {
     checkKeys(limits, `${caller}.limits`, ['lower', 'upper']);

@@ -1,4 +1,4 @@
-import { checkNumber, type VectorInput } from '../errors/validate.ts';
+import type { VectorInput } from '../errors/validate.ts';
 import { describeJoint, type JointInput, type JointOptions, type JointSpring } from './joint-input.ts';
 
 export interface MotorJointOptions extends JointOptions {
@@ -26,7 +26,7 @@ export interface MotorJointOptions extends JointOptions {
 export function motorJoint(options: MotorJointOptions): JointInput {
   const filled = { spring: { hertz: 1 }, ...options };
   const names = ['anchor', 'target', 'turn', 'spring', 'maxForce', 'maxTorque', 'angularSpeed'] as const;
-  return describeJoint('motorJoint', requireLimits('motorJoint', filled, ['maxForce', 'maxTorque']), names);
+  return describeJoint('motorJoint', filled, names);
 }
 
 export interface MouseJointOptions extends Omit<JointOptions, 'a'> {
@@ -46,16 +46,5 @@ export interface MouseJointOptions extends Omit<JointOptions, 'a'> {
  */
 export function mouseJoint(options: MouseJointOptions): JointInput {
   const filled = { spring: { hertz: 5, dampingRatio: 0.7 }, ...options };
-  return describeJoint('mouseJoint', requireLimits('mouseJoint', filled, ['maxForce']), [
-    'anchor',
-    'target',
-    'spring',
-    'maxForce',
-  ]);
-}
-
-/** A motor without a limit would be a weld: the limits have no default. */
-function requireLimits<T extends object>(caller: string, options: T, names: readonly (keyof T & string)[]): T {
-  for (const name of names) checkNumber(options[name], `${caller}.${name}`, { min: 0, max: 1e12 });
-  return options;
+  return describeJoint('mouseJoint', filled, ['anchor', 'target', 'spring', 'maxForce']);
 }
