@@ -74,6 +74,29 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   });
 });
 
+describe.each(['f32', 'f64'] as const)('in %s, over 200 tiles that move', (precision) => {
+  it.each<[string, { x: number; y: number }, BodyInput['collider'], number]>([
+    ['a ball against a belt', { x: -2, y: 0 }, { radius: 0.5 }, 0.5],
+    ['a ball on a lift', { x: 0, y: 0.5 }, { radius: 0.5 }, 0.5],
+    ['a box on a slanting lift', { x: -3, y: 0.2 }, { shape: box(1, 1) }, 0.5],
+  ])('%s glides as over one', (_, velocity, shape, height) => {
+    const world = rigidWorld({ precision });
+    const tile = { velocity, kinematic: {}, collider: { shape: box(1, 1), friction: 0, density: 1 } };
+    const tiles = Array.from({ length: 200 }, (__, i) => spawn(world, { ...tile, position: { x: i + 0.5, y: -0.5 } }));
+    const collider = { ...(shape as object), density: 1, friction: 0 };
+    const body = spawn(world, { position: { x: 100, y: height }, velocity: { x: 4, y: velocity.y }, collider });
+    const { Position, Velocity } = world.components;
+    for (let i = 0; i < 600; i++) {
+      step(world, DT);
+      const above = (Position.y[body] as number) - (Position.y[tiles[0] as number] as number) - 0.5 - height;
+      expect(above).toBeLessThan(0.1 * SLOP);
+      expect(above).toBeGreaterThan(-SLOP);
+    }
+    // Nothing but the seams could slow it.
+    expect(Velocity.x[body]).toBeCloseTo(4, 2);
+  });
+});
+
 test('a disc that slides at first rolls with two thirds of its speed in the end, as on one plate', () => {
   const world = rigidWorld({ capacity: 300 });
   layTiles(world, 200, 0.6);

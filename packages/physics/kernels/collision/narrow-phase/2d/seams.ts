@@ -1,6 +1,6 @@
-// Seams between things that do not move, such as the tiles of a floor. A body that slides or rolls over them meets the corner
-// or the side of the next tile before its top, with a normal that the surface of all tiles together does not have, and would
-// be thrown up. Such a contact with S is left to the contact with S', which touches the same body, where
+// Seams between things that contacts do not move, such as the tiles of a floor or of a lift. A body that slides or rolls over
+// them meets the corner or the side of the next tile before its top, with a normal that the surface of all tiles together does
+// not have, and would be thrown up. Such a contact with S is left to the contact with S', which touches the same body, where
 //
 //   all its points on S are in S', too,
 //   S' has something in front of them along the normal of S, so that this is no normal of both together,
@@ -9,7 +9,7 @@
 // The third holds no body back from a wall that stands on a floor, or from a step. The idea of features that are void because
 // a neighbour covers them is that of Jolt Physics (InternalEdgeRemovingCollector.h), the condition on normals that of convex
 // analysis: a normal of a union is one of each part that has the point.
-import { MOVES, flagsOf, poseOf, putWord, word } from '../../../solver/2d/body';
+import { DYNAMIC, flagsOf, poseOf, putWord, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 import { SHAPE_BYTES, Shape, normalX, normalY, vertexX, vertexY } from '../../shapes/2d/shape';
@@ -20,8 +20,8 @@ const FLUSH: real = 0.001;
 
 const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
-// Covers contacts of the first `count` entries of t.touching, which are slots of contacts of a body that moves with one that
-// does not: 2 words each, the second of which is for the next entry of the same shape. Colors of rows are not in use yet.
+// Covers contacts of the first `count` entries of t.touching, which are slots of contacts of a dynamic body with one that is
+// not: 2 words each, the second of which is for the next entry of the same shape. Colors of rows are not in use yet.
 export function coverSeams(t: RigidTable, count: i32): void {
   for (let i = 0; i < count; i++) putWord(t.usedColors, moverOf(t, entryAt(t, i)), -1);
   for (let i = 0; i < count; i++) {
@@ -53,7 +53,7 @@ export function coverSeams(t: RigidTable, count: i32): void {
 
 // @ts-ignore: decorator
 @inline function isMoverA(t: RigidTable, contact: RigidContact): bool {
-  return (flagsOf(t, contact.a) & MOVES) != 0;
+  return (flagsOf(t, contact.a) & DYNAMIC) != 0;
 }
 
 // @ts-ignore: decorator
@@ -81,7 +81,7 @@ function cover(contact: RigidContact): void {
   }
 }
 
-// The side of a contact that does not move: row of its shape, outward normal there, and a point of its surface in the world.
+// The side of a contact that is not dynamic: row of its shape, outward normal there, and a point of its surface in the world.
 let row: i32 = 0;
 let nx: real = 0;
 let ny: real = 0;

@@ -161,7 +161,7 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
   return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
-// Contacts that touch, of a body that moves with one that does not.
+// Contacts that touch, of a dynamic body with one that is static or kinematic.
 let groundCount: i32 = 0;
 
 // Returns whether the contact is one of those.
@@ -190,7 +190,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
   }
   contact.flags |= TOUCHING;
   moveAnchors(t, contact);
-  return ((flagsA & MOVES) == 0) != ((flagsB & MOVES) == 0);
+  return ((flagsA & DYNAMIC) == 0) != ((flagsB & DYNAMIC) == 0);
 }
 
 function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
