@@ -17,7 +17,7 @@ const SLIP = 6;
 
 export interface PressOptions {
   /** The point of the world under a place on the canvas, CSS pixels. */
-  pointUnder(x: number, y: number, run: LabRun): Point;
+  pointUnder(x: number, y: number): Point;
   /** Milliseconds after which a press that has not moved acts, where a drag turns the view; default: it acts at once. */
   readonly patience?: number;
 }
@@ -37,9 +37,9 @@ export function listenToPresses(
   const stop = new AbortController();
   let press: Press | undefined;
 
-  const placeOf = ({ clientX, clientY }: PointerEvent, run: LabRun): Point => {
+  const placeOf = ({ clientX, clientY }: PointerEvent): Point => {
     const { left, top } = canvas.getBoundingClientRect();
-    return pointUnder(clientX - left, clientY - top, run);
+    return pointUnder(clientX - left, clientY - top);
   };
   const tell = (name: PointerEventName, { run, at, from }: Press) => {
     disturb(run);
@@ -47,7 +47,7 @@ export function listenToPresses(
   };
   const begin = (down: PointerEvent) => {
     const run = context.sim();
-    const at = placeOf(down, run);
+    const at = placeOf(down);
     press = { pointer: down.pointerId, run, from: at, at };
     tell('press', press);
   };
@@ -71,7 +71,7 @@ export function listenToPresses(
     pointermove(event: PointerEvent) {
       if (isOther(event)) return;
       if (press === undefined) return stay.move(event);
-      press.at = placeOf(event, press.run);
+      press.at = placeOf(event);
       if (press.run === context.sim()) tell('move', press);
     },
     pointerup(event: PointerEvent) {

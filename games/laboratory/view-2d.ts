@@ -1,6 +1,5 @@
 /** The view of an example in two dimensions, drawn by pixi.js. */
-import { toWorld } from '@principia/render-core';
-import { type Example, frameOf, type Point } from '@principia/scenes/examples';
+import { type Example, frameOf } from '@principia/scenes/examples';
 import type { Settings, View, ViewContext } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import type { LabRun } from './lab-run.ts';
@@ -28,15 +27,6 @@ export async function openView(context: ViewContext<Settings, LabRun>, pointer: 
     },
   });
   if (pointer === undefined) return showing(view);
-  presses = listenToPresses(context, view.canvas, { pointUnder: (x, y, run) => pointUnder(view, x, y, run) });
+  presses = listenToPresses(context, view.canvas, { pointUnder: view.toWorld });
   return showing(withPresses(view, presses));
-}
-
-function pointUnder(view: View, x: number, y: number, { picture }: LabRun): Point {
-  const [centreX, centreY, metres] = view.camera?.() ?? [0, 0, 1];
-  const { width, height } = view.canvas.getBoundingClientRect();
-  const up = picture.yDown ? -1 : 1;
-  const camera = { x: centreX, y: up * centreY, pixelsPerMetre: height / metres };
-  const at = toWorld(camera, { width, height }, x, y, { x: 0, y: 0 });
-  return { x: at.x, y: up * at.y };
 }
