@@ -1,5 +1,16 @@
 // Bodies that were put in one place part no faster than overlap is pushed out, and keep no speed of it.
-import { type BodyInput, box, capsule, circle, momentum, softStep, spawn, step } from '@principia/physics';
+import {
+  type BodyInput,
+  box,
+  capsule,
+  circle,
+  createJoint,
+  momentum,
+  revolute,
+  softStep,
+  spawn,
+  step,
+} from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { DT, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
@@ -76,6 +87,26 @@ describe.each(['f32', 'f64'] as const)('in %s a hundred', (precision) => {
         expect(Math.hypot(Velocity.x[id], Velocity.y[id])).toBeLessThan(fastest);
       }
     }
+  });
+
+  it('jointed figures in one place part without flying off', () => {
+    const world = rigidWorld({ precision, forces: [] });
+    const collider = { shape: box(1, 0.3), density: 1 };
+    const ids = Array.from({ length: 30 }, () => {
+      const [a, b, c] = [0, 1, 2].map((x) => spawn(world, { position: { x }, collider })) as [number, number, number];
+      // Limits and friction, as in a ragdoll.
+      const joint = { limits: { lower: -0.5, upper: 0.5 }, motor: { speed: 0, max: 0.1 } };
+      createJoint(world, revolute({ a, b, anchor: { x: 0.5 }, ...joint }));
+      createJoint(world, revolute({ a: b, b: c, anchor: { x: 1.5 }, ...joint }));
+      return [a, b, c];
+    }).flat();
+    const { Position, Velocity } = world.components;
+    for (let i = 0; i < 300; i++) {
+      step(world, DT);
+      for (const id of ids) expect(Math.hypot(Velocity.x[id], Velocity.y[id])).toBeLessThan(PUSHED);
+    }
+    // Stacked they would be 9 m high.
+    for (const id of ids) expect(Math.hypot(Position.x[id] - 1, Position.y[id])).toBeLessThan(9);
   });
 
   it('circles in one place part in every direction', () => {

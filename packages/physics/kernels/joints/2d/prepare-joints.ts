@@ -1,13 +1,13 @@
 // Begins a step of the joints: which of them act, with which masses, from where.
 import { get } from '../../memory/columns';
-import { poseOf, word } from '../../solver/2d/body';
+import { DRIVEN, flagsOf, poseOf, putFlags, word } from '../../solver/2d/body';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { braceBodies, jointed, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops } from './color-loops';
-import { JointTable, impulsesOf } from './joint-table';
+import { JointTable, MOTOR, impulsesOf } from './joint-table';
 import { PARENT_B } from './joint-trees';
-import { PLAIN, placeAt, startAt, workAt } from './joint-work';
+import { JointWork, PLAIN, placeAt, startAt, workAt } from './joint-work';
 import { layOutJoints } from './lay-out-joints';
 import { listActive } from './list-active';
 import { measureJoint } from './measure-joints';
@@ -51,9 +51,20 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   const at = placeAt(t, k);
   at.largest = 0;
   at.turns = poseOf(rigid, at.childRow).inverseInertia > 0 ? 1 : 0;
+  if (isDriving(t, work)) {
+    if (work.a != 0) putFlags(rigid, work.a, flagsOf(rigid, work.a) | DRIVEN);
+    if (work.b != 0) putFlags(rigid, work.b, flagsOf(rigid, work.b) | DRIVEN);
+  }
   if (at.hinge != 0) return;
   measureJoint(t, k);
   if (work.locks > 0) stiffenByLocks(t, work, impulsesOf(t, id));
+}
+
+// Whether a joint may give energy. A motor that stands still only rubs.
+function isDriving(t: JointTable, work: JointWork): bool {
+  if (work.kind >= MOTOR) return true;
+  if (work.hasAxes == 0) return false;
+  return get(t.hertz, work.id) > 0 || (get(t.maxMotor, work.id) > 0 && get(t.motorSpeed, work.id) != 0);
 }
 
 // The inertias that rows see.

@@ -68,6 +68,8 @@ export const GROUPED: u32 = 65536;
 export const WALL: u32 = 131072;
 // It asks for another rule by which friction or restitution combine.
 export const COMBINES: u32 = 262144;
+// A joint drives it in this step: with a motor or a spring, or as a pulley or a gear.
+export const DRIVEN: u32 = 524288;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

@@ -6,7 +6,7 @@
 //
 // both about the centre of mass, or about the ground if the crowd touches it. Velocities are scaled about it all alike, which
 // conserves momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that something
-// drives, joints, belts or kinematic bodies, may gain energy and stay as they are.
+// drives, a motor, a spring, a belt or a kinematic body, may gain energy and stay as they are.
 import {
   ContactPoint,
   IS_DEEP,
@@ -15,7 +15,7 @@ import {
   contactAt,
   pointOf,
 } from '../../collision/narrow-phase/2d/rigid-contact';
-import { DYNAMIC, KINEMATIC, LOCKED, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { DRIVEN, DYNAMIC, KINEMATIC, LOCKED, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { islandOf, labelIslands } from './islands';
 import { RigidTable } from './rigid-table';
 
@@ -91,10 +91,7 @@ export function findCrowds(table: usize): i32 {
   labelIslands(table);
   for (let i = 0; i < t.awakeCount; i++) memory.fill(changetype<usize>(crowdOf(t, word(t.awake, i))), 0, SIZE);
   for (let i = 0; i < t.touchingCount; i++) noteContact(t, contactAt(t, word(t.touching, 2 * i)));
-  for (let i = 0; i < t.linkCount; i++) {
-    noteDriven(t, word(t.links, 2 * i));
-    noteDriven(t, word(t.links, 2 * i + 1));
-  }
+  for (let i = 0; i < t.linkCount; i++) notePair(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
   for (let i = 0; i < t.awakeCount; i++) noteBody(t, word(t.awake, i));
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
@@ -114,22 +111,24 @@ function noteBody(t: RigidTable, row: i32): void {
   if ((flags & DYNAMIC) == 0) return;
   const crowd = crowdOf(t, islandOf(t, row));
   crowd.bodies++;
+  if ((flags & DRIVEN) != 0) crowd.driven = 1;
   if ((flags & LOCKED) != 0) crowd.anchored = 1;
 }
 
 function noteContact(t: RigidTable, contact: RigidContact): void {
-  const a = contact.bodyA;
-  const b = contact.bodyB;
+  const crowd = notePair(t, contact.bodyA, contact.bodyB);
+  if (contact.tangentSpeed != 0) crowd.driven = 1;
+  if ((contact.flags & IS_DEEP) != 0) crowd.deepContacts++;
+}
+
+// Two bodies that touch or are joined, one of which may be row 0.
+function notePair(t: RigidTable, a: i32, b: i32): Crowd {
   const kindA = flagsOf(t, a);
   const kindB = flagsOf(t, b);
   const crowd = crowdOf(t, islandOf(t, (kindA & DYNAMIC) != 0 ? a : b));
   if ((kindA & kindB & DYNAMIC) == 0) crowd.anchored = 1;
-  if (((kindA | kindB) & KINEMATIC) != 0 || contact.tangentSpeed != 0) crowd.driven = 1;
-  if ((contact.flags & IS_DEEP) != 0) crowd.deepContacts++;
-}
-
-function noteDriven(t: RigidTable, row: i32): void {
-  if ((flagsOf(t, row) & DYNAMIC) != 0) crowdOf(t, islandOf(t, row)).driven = 1;
+  if (((kindA | kindB) & KINEMATIC) != 0) crowd.driven = 1;
+  return crowd;
 }
 
 // Before contacts are solved: the frame, the energy and the largest speed of each crowd.
