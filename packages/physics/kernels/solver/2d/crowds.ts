@@ -71,7 +71,7 @@ function isDeep(t: RigidTable, contact: RigidContact): bool {
   const extent = min<real>(a.minExtent, b.minExtent);
   const point = deepest(contact);
   if ((contact.flags & IS_DEEP) != 0) return -point.separation > FLAT * extent;
-  // Twice the way of a step: the speed may have been taken already.
+  // Twice the way of a step, because contacts may have slowed the bodies since.
   return -point.separation > max<real>(DEEP * extent, -2 * point.normalSpeed * <real>t.dt);
 }
 
