@@ -27,7 +27,7 @@ const MIN_CONTACTS = 4096;
 const contactBytes = (bytes: number) => 56 + 42 * bytes;
 
 /** Bytes of a block of contacts, one for each lane of a vector: kernels/solver/2d/contact-block.ts. */
-const BLOCK_BYTES = 672;
+const BLOCK_BYTES = 704;
 
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
 const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 44 + 2 * 6 * bytes;

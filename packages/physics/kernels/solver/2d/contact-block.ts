@@ -8,28 +8,31 @@ import { RigidTable } from './rigid-table';
 export const A: usize = 0;
 export const B: usize = V;
 export const SLOT: usize = 2 * V;
-export const MASS_A: usize = 3 * V;
-export const INERTIA_A: usize = 4 * V;
-export const MASS_B: usize = 5 * V;
-export const INERTIA_B: usize = 6 * V;
-export const NX: usize = 7 * V;
-export const NY: usize = 8 * V;
-export const FRICTION: usize = 9 * V;
-export const TANGENT_SPEED: usize = 10 * V;
-export const ROLLING: usize = 11 * V;
-export const ROLLING_MASS: usize = 12 * V;
-export const ROLLING_IMPULSE: usize = 13 * V;
+// Inverse masses, 0 along a locked axis, and moments of inertia.
+export const MASS_AX: usize = 3 * V;
+export const MASS_AY: usize = 4 * V;
+export const INERTIA_A: usize = 5 * V;
+export const MASS_BX: usize = 6 * V;
+export const MASS_BY: usize = 7 * V;
+export const INERTIA_B: usize = 8 * V;
+export const NX: usize = 9 * V;
+export const NY: usize = 10 * V;
+export const FRICTION: usize = 11 * V;
+export const TANGENT_SPEED: usize = 12 * V;
+export const ROLLING: usize = 13 * V;
+export const ROLLING_MASS: usize = 14 * V;
+export const ROLLING_IMPULSE: usize = 15 * V;
 // Softness: the rate at which overlap is pushed out, 1/s, times the mass scale; mass scale and impulse scale.
-export const BIAS_RATE: usize = 14 * V;
-export const MASS_SCALE: usize = 15 * V;
-export const IMPULSE_SCALE: usize = 16 * V;
-export const RESTITUTION: usize = 17 * V;
+export const BIAS_RATE: usize = 16 * V;
+export const MASS_SCALE: usize = 17 * V;
+export const IMPULSE_SCALE: usize = 18 * V;
+export const RESTITUTION: usize = 19 * V;
 // Radii by which the shapes are rounded: the surface is so far from the anchor, along the normal.
-export const ROUNDING_A: usize = 18 * V;
-export const ROUNDING_B: usize = 19 * V;
+export const ROUNDING_A: usize = 20 * V;
+export const ROUNDING_B: usize = 21 * V;
 // Two points follow, each with these. A rounded shape touches with another point of its surface as it turns, and so its
 // anchor is the point that the rounding is round: the centre of a disc.
-export const POINTS: usize = 20 * V;
+export const POINTS: usize = 22 * V;
 export const AX: usize = 0;
 export const AY: usize = V;
 export const BX: usize = 2 * V;

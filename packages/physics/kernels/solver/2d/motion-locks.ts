@@ -39,6 +39,11 @@ export function holdLocked(table: usize): void {
   return (flagsOf(t, row) & LOCKED) != 0 && word(t.lockY, row) != 0 ? <real>0 : poseOf(t, row).inverseMass;
 }
 
+// How many axes a body can move along, 0 to 2.
+export function openAxes(t: RigidTable, row: i32): i32 {
+  return (inverseMassX(t, row) > 0 ? 1 : 0) + (inverseMassY(t, row) > 0 ? 1 : 0);
+}
+
 // The inverse mass of a body along a unit vector.
 export function inverseMassAlong(t: RigidTable, row: i32, nx: real, ny: real): real {
   const inverseMass = poseOf(t, row).inverseMass;

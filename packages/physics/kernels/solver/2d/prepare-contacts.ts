@@ -3,11 +3,11 @@ import { LANES } from '../../memory/lanes';
 import { get, put } from '../../memory/columns';
 import { ContactPoint, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
-import { LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { takeLane } from './color-contacts';
 import * as block from './contact-block';
 import { noteDepth } from './crowds';
-import { inverseMassAlong } from './motion-locks';
+import { inverseMassAlong, inverseMassX, inverseMassY, openAxes } from './motion-locks';
 import { RigidTable } from './rigid-table';
 import { soften, softness } from './softness';
 
@@ -18,6 +18,10 @@ const MAX_PART_OF_RATE: f64 = 0.125;
 // altogether: it must come through the light body, and not press that through the ground.
 const MUCH_HEAVIER: real = 10;
 const TOO_HEAVY: real = 2000;
+
+// Bodies that are locked along a direction get out of each other's way by turning or by moving aside. Where that hardly helps it
+// would take any speed: they yield at least by this part of what they do where it helps most.
+const YIELD: real = 0.01;
 
 export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
@@ -85,9 +89,11 @@ export function prepareContacts(table: usize): void {
   const b = poseOf(t, contact.bodyB);
   putWord(at + block.A, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.bodyA))));
   putWord(at + block.B, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.bodyB))));
-  put(at + block.MASS_A, l, a.inverseMass);
+  put(at + block.MASS_AX, l, inverseMassX(t, contact.bodyA));
+  put(at + block.MASS_AY, l, inverseMassY(t, contact.bodyA));
   put(at + block.INERTIA_A, l, a.inverseInertia);
-  put(at + block.MASS_B, l, b.inverseMass);
+  put(at + block.MASS_BX, l, inverseMassX(t, contact.bodyB));
+  put(at + block.MASS_BY, l, inverseMassY(t, contact.bodyB));
   put(at + block.INERTIA_B, l, b.inverseInertia);
   put(at + block.NX, l, contact.nx);
   put(at + block.NY, l, contact.ny);
@@ -119,6 +125,16 @@ export function prepareContacts(table: usize): void {
   put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
 }
 
+// The least inverse mass along a direction where no body is free to move along all: a part of what they have along the axes
+// that are not locked, or else, by turning alone, at their extents.
+function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: BodyPose): real {
+  const axesA = openAxes(t, contact.bodyA);
+  const axesB = openAxes(t, contact.bodyB);
+  if (axesA == 2 || axesB == 2) return 0;
+  if (axesA + axesB > 0) return YIELD * ((axesA > 0 ? a.inverseMass : 0) + (axesB > 0 ? b.inverseMass : 0));
+  return YIELD * (a.inverseInertia * a.extent * a.extent + b.inverseInertia * b.extent * b.extent);
+}
+
 // @ts-ignore: decorator
 @inline function fillPoint(t: RigidTable, contact: RigidContact, at: usize, l: i32, p: i32): void {
   const point = pointOf(contact, p);
@@ -137,6 +153,9 @@ export function prepareContacts(table: usize): void {
   if (((flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB)) & LOCKED) != 0) {
     normalMass = inverseMassAlong(t, contact.bodyA, nx, ny) + inverseMassAlong(t, contact.bodyB, nx, ny);
     tangentMass = inverseMassAlong(t, contact.bodyA, ny, -nx) + inverseMassAlong(t, contact.bodyB, ny, -nx);
+    const least = leastInverseMass(t, contact, a, b);
+    normalMass = max<real>(normalMass, least);
+    tangentMass = max<real>(tangentMass, least);
   }
   const normalA = ax * ny - ay * nx;
   const normalB = bx * ny - by * nx;

@@ -37,12 +37,10 @@ function bounce(t: RigidTable, at: usize, p: usize, l: i32, restitution: real): 
   put(p + block.NORMAL_IMPULSE, l, impulse);
   const delta = impulse - old;
   put(p + block.TOTAL_IMPULSE, l, get(p + block.TOTAL_IMPULSE, l) + delta);
-  const mA = get(at + block.MASS_A, l);
-  const mB = get(at + block.MASS_B, l);
-  a.vx -= mA * delta * nx;
-  a.vy -= mA * delta * ny;
+  a.vx -= get(at + block.MASS_AX, l) * delta * nx;
+  a.vy -= get(at + block.MASS_AY, l) * delta * ny;
   a.w -= get(at + block.INERTIA_A, l) * delta * (ax * ny - ay * nx);
-  b.vx += mB * delta * nx;
-  b.vy += mB * delta * ny;
+  b.vx += get(at + block.MASS_BX, l) * delta * nx;
+  b.vy += get(at + block.MASS_BY, l) * delta * ny;
   b.w += get(at + block.INERTIA_B, l) * delta * (bx * ny - by * nx);
 }

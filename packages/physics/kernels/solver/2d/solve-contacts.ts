@@ -55,14 +55,16 @@ export function warmStartContacts(table: usize): void {
     turnA = add(turnA, sub(aboutA, mul(roundingA, tangent)));
     turnB = add(turnB, add(aboutB, mul(roundingB, tangent)));
   }
-  const mA = v128.load(at, block.MASS_A);
-  const mB = v128.load(at, block.MASS_B);
+  const mxA = v128.load(at, block.MASS_AX);
+  const myA = v128.load(at, block.MASS_AY);
+  const mxB = v128.load(at, block.MASS_BX);
+  const myB = v128.load(at, block.MASS_BY);
   gather(at + block.A, 0);
   const wa = sub(gathered.z, mul(v128.load(at, block.INERTIA_A), turnA));
-  scatter(at + block.A, sub(gathered.x, mul(mA, px)), sub(gathered.y, mul(mA, py)), wa, gathered.w);
+  scatter(at + block.A, sub(gathered.x, mul(mxA, px)), sub(gathered.y, mul(myA, py)), wa, gathered.w);
   gather(at + block.B, 0);
   const wb = add(gathered.z, mul(v128.load(at, block.INERTIA_B), turnB));
-  scatter(at + block.B, add(gathered.x, mul(mB, px)), add(gathered.y, mul(mB, py)), wb, gathered.w);
+  scatter(at + block.B, add(gathered.x, mul(mxB, px)), add(gathered.y, mul(myB, py)), wb, gathered.w);
 }
 
 // Softly, with overlap pushed out at a bounded speed.
@@ -106,9 +108,11 @@ export function relaxContacts(table: usize): void {
   let vyB = gathered.y;
   let wB = gathered.z;
   const turnedB = gathered.w;
-  const mA = v128.load(at, block.MASS_A);
+  const mxA = v128.load(at, block.MASS_AX);
+  const myA = v128.load(at, block.MASS_AY);
   const iA = v128.load(at, block.INERTIA_A);
-  const mB = v128.load(at, block.MASS_B);
+  const mxB = v128.load(at, block.MASS_BX);
+  const myB = v128.load(at, block.MASS_BY);
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
@@ -140,11 +144,11 @@ export function relaxContacts(table: usize): void {
     v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), delta), block.TOTAL_IMPULSE);
     const px = mul(delta, nx);
     const py = mul(delta, ny);
-    vxA = sub(vxA, mul(mA, px));
-    vyA = sub(vyA, mul(mA, py));
+    vxA = sub(vxA, mul(mxA, px));
+    vyA = sub(vyA, mul(myA, py));
     wA = sub(wA, mul(iA, cross(ax, ay, px, py)));
-    vxB = add(vxB, mul(mB, px));
-    vyB = add(vyB, mul(mB, py));
+    vxB = add(vxB, mul(mxB, px));
+    vyB = add(vyB, mul(myB, py));
     wB = add(wB, mul(iB, cross(bx, by, px, py)));
   }
   scatter(at + block.A, vxA, vyA, wA, turnedA);
@@ -163,9 +167,11 @@ export function relaxContacts(table: usize): void {
   let vyB = gathered.y;
   let wB = gathered.z;
   const turnedB = gathered.w;
-  const mA = v128.load(at, block.MASS_A);
+  const mxA = v128.load(at, block.MASS_AX);
+  const myA = v128.load(at, block.MASS_AY);
   const iA = v128.load(at, block.INERTIA_A);
-  const mB = v128.load(at, block.MASS_B);
+  const mxB = v128.load(at, block.MASS_BX);
+  const myB = v128.load(at, block.MASS_BY);
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
@@ -191,11 +197,11 @@ export function relaxContacts(table: usize): void {
     const delta = sub(impulse, old);
     const px = mul(delta, ny);
     const py = v128.neg<real>(mul(delta, nx));
-    vxA = sub(vxA, mul(mA, px));
-    vyA = sub(vyA, mul(mA, py));
+    vxA = sub(vxA, mul(mxA, px));
+    vyA = sub(vyA, mul(myA, py));
     wA = sub(wA, mul(iA, sub(cross(ax, ay, px, py), mul(roundingA, delta))));
-    vxB = add(vxB, mul(mB, px));
-    vyB = add(vyB, mul(mB, py));
+    vxB = add(vxB, mul(mxB, px));
+    vyB = add(vyB, mul(myB, py));
     wB = add(wB, mul(iB, add(cross(bx, by, px, py), mul(roundingB, delta))));
   }
   const old = v128.load(at, block.ROLLING_IMPULSE);
