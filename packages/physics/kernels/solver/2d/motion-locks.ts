@@ -1,5 +1,5 @@
-// Bodies that do not move along an axis. Their velocity there is cleared after each pass of the solver; the effective masses
-// of their contacts know that along it they are immovable, so that the impulses of a pass are the right ones:
+// Bodies that do not move along an axis. Contacts and joints give them no velocity there, and what forces give is cleared after
+// each pass of the solver; effective masses know that along it they are immovable, so that the impulses of a pass are right:
 //
 //   1/m(n) = (nx² fx + ny² fy)/m      f: 0 along a locked axis, otherwise 1
 //
