@@ -94,7 +94,7 @@ export function listenToPresses(
   };
 }
 
-/** Calls `begin` with a press that has stayed where it is for so many milliseconds, or is at its end. */
+/** Calls `begin` with a press when it has stayed in place for `patience` milliseconds, or ends. */
 function waitForStay(patience: number, begin: (down: PointerEvent) => void) {
   let waiting: { readonly down: PointerEvent; readonly timer: ReturnType<typeof setTimeout> } | undefined;
   const forget = () => {

@@ -165,7 +165,7 @@ function worstFlight(world: PhysicsWorld, eid: number, discs: readonly Disc[], r
   return { worst, steps };
 }
 
-/** The fixed discs of an example: the first so many of its bodies. @param strengths of their potential, strength/r */
+/** The fixed discs of an example, its first `count` bodies. @param strengths of their potential, strength/r */
 function discsOf({ components }: PhysicsWorld, count: number, strengths: (id: number) => number): Disc[] {
   const { Position, Collider } = components;
   return Array.from({ length: count }, (_, i) => {

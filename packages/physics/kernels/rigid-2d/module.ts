@@ -16,7 +16,7 @@ export { assignWallShapes, countInvalidWalls } from '../solver/2d/walls';
 export { holdLocked } from '../solver/2d/motion-locks';
 export { writeParts } from '../solver/2d/parts';
 export { colorContacts } from '../solver/2d/color-contacts';
-export { calmCrowds, findCrowds, measureCrowds, slowCrowds } from '../solver/2d/crowds';
+export { findCrowds, limitCrowdEnergies, limitCrowdSpeeds, measureCrowds } from '../solver/2d/crowds';
 export { prepareContacts, storeImpulses } from '../solver/2d/prepare-contacts';
 export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/solve-contacts';
 export { listContactEvents } from '../solver/2d/contact-events';

@@ -15,7 +15,7 @@ import { describe, expect, it } from 'vitest';
 import { DT, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
 const COUNT = 100;
-/** By default overlap is pushed out at so many m/s. */
+/** Default of `softStep({ contactSpeed })`, m/s. */
 const PUSHED = 3;
 
 type Shape = NonNullable<BodyInput['collider']>;
@@ -82,7 +82,7 @@ describe.each(['f32', 'f64'] as const)('in %s a hundred', (precision) => {
       step(world, DT);
       for (const id of ids) {
         highest = Math.max(highest, Position.y[id]);
-        // What was lifted may fall again.
+        // Bodies that were lifted may fall again.
         const fastest = Math.hypot(PUSHED, Math.sqrt(2 * 10 * highest));
         expect(Math.hypot(Velocity.x[id], Velocity.y[id])).toBeLessThan(fastest);
       }

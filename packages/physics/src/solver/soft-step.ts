@@ -158,12 +158,12 @@ function advance(
     if (joints !== 0) solveJoints(kernels, joints);
     kernels.solveContacts(at);
     kernels.holdLocked(at);
-    if (crowded) kernels.slowCrowds(at);
+    if (crowded) kernels.limitCrowdSpeeds(at);
     kernels.integratePositions(at);
     if (joints !== 0) relaxJoints(kernels, joints);
     kernels.relaxContacts(at);
     kernels.holdLocked(at);
-    if (crowded) kernels.calmCrowds(at);
+    if (crowded) kernels.limitCrowdEnergies(at);
     kernels.writeBodies(at);
   }
   kernels.applyRestitution(at);

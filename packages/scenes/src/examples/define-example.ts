@@ -206,8 +206,8 @@ export interface Example {
 export function defineExample<Name extends string, Run extends SceneRun>(spec: ExampleSpec<Name, Run>): Example {
   const { id, title, chapter, tags, about, dimensions = 2, duration, ends = false } = spec;
   const { parameters, presets = [], actions = {}, tryThis } = spec;
-  const checks = listBy(spec.checks, figuresOf());
-  const pointer = pointerOf(spec);
+  const parts = partsOf(spec);
+  const { checks, pointer } = parts;
   return {
     id,
     title,
@@ -225,8 +225,23 @@ export function defineExample<Name extends string, Run extends SceneRun>(spec: E
     checks,
     start(options = {}) {
       const values = completeValues(spec.id, parameters, options.values ?? {});
-      return startRun(spec, values as ValuesOf<Name>, options);
+      return startRun(spec, parts, values as ValuesOf<Name>, options);
     },
+  };
+}
+
+/** What is the same in all runs. */
+interface Parts<Run, Values> {
+  readonly plots: readonly Plot<Run, Values>[];
+  readonly checks: readonly Check<Run, Values>[];
+  readonly pointer: ExamplePointer<Run> | undefined;
+}
+
+function partsOf<Name extends string, Run extends SceneRun>(spec: ExampleSpec<Name, Run>): Parts<Run, ValuesOf<Name>> {
+  return {
+    plots: listBy(spec.plots, plotOf()),
+    checks: listBy(spec.checks, figuresOf()),
+    pointer: pointerOf(spec),
   };
 }
 
@@ -249,6 +264,7 @@ function pointerOf<Name extends string, Run extends SceneRun>(
 
 function startRun<Name extends string, Run extends SceneRun>(
   spec: ExampleSpec<Name, Run>,
+  { plots, checks, pointer }: Parts<Run, ValuesOf<Name>>,
   values: ValuesOf<Name>,
   { seed = 1, integrator }: ExampleOptions,
 ): ExampleRun {
@@ -262,8 +278,7 @@ function startRun<Name extends string, Run extends SceneRun>(
       ([name, { initial }]) => values[name as Name] === (preset[name as Name] ?? initial),
     );
   };
-  const pointer = pointerOf(spec);
-  const watch: Monitor = monitor(run, values, listBy(spec.checks, figuresOf()), hasValuesOf);
+  const watch: Monitor = monitor(run, values, checks, hasValuesOf);
   return {
     ...run,
     world,
@@ -271,7 +286,7 @@ function startRun<Name extends string, Run extends SceneRun>(
     values,
     ownIntegrator,
     picture: spec.picture(run, values),
-    plots: listBy(spec.plots, plotOf()).map((plot) => livePlot(plot, run, values)),
+    plots: plots.map((plot) => livePlot(plot, run, values)),
     histograms: (spec.histograms ?? []).map((histogram) => liveHistogram(histogram, run, values)),
     act(name, isDown) {
       if (isDown) spec.actions?.[name]?.press(run);

@@ -29,7 +29,7 @@ export function startJoints(table: usize): void {
   startLoops(t);
 }
 
-// A body weighs so many times its mass along an axis that it does not move on: enough digits are left.
+// Factor of a body's mass along a locked axis: large against all that is joined to it, and small enough to leave digits.
 const LOCKED_MASS: f64 = 1e8;
 
 // Bodies of trees get the masses of their locked axes, to which joints add what hangs below them.

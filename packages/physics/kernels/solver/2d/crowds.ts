@@ -24,7 +24,7 @@ import { RigidTable } from './rigid-table';
 const DEEP: real = 0.5;
 const FLAT: real = 0.05;
 
-// An island is a crowd with two deep contacts, and one for so many bodies: among more that stand firm pushes are lost.
+// Minimum number of deep contacts of a crowd, and maximum number of its bodies for each: in larger heaps pushes are absorbed.
 const FEWEST: i32 = 2;
 const BODIES: i32 = 50;
 
@@ -185,7 +185,7 @@ function measure(t: RigidTable): void {
 }
 
 // Before positions change: bounds the speeds.
-export function slowCrowds(table: usize): void {
+export function limitCrowdSpeeds(table: usize): void {
   const t = changetype<RigidTable>(table);
   const pushed = t.contactSpeed * t.contactSpeed;
   measure(t);
@@ -198,7 +198,7 @@ export function slowCrowds(table: usize): void {
 }
 
 // When all is relaxed: bounds the energy.
-export function calmCrowds(table: usize): void {
+export function limitCrowdEnergies(table: usize): void {
   const t = changetype<RigidTable>(table);
   measure(t);
   for (let i = 0; i < t.crowdedCount; i++) {
