@@ -1,11 +1,14 @@
 // The inertia of a body that is pulled hard at its ends. A force f at the arm r turns the body back when it turns, as a spring
 // of k = r · f per radian does; with the inertia I it swings with the frequency √(k/I), which in a taut chain of light
-// links is more than sub-steps of h seconds can follow. Joints then see the inertia h² k, which swings with the rate of the
-// sub-steps: the chain is stable, and nothing changes where h² k is below I.
+// links is more than sub-steps of h seconds can follow. Joints and contacts then see the inertia h² k, which swings with the
+// rate of the sub-steps: the chain is stable, and nothing changes where h² k is below I. Contacts have to see what joints see:
+// with the true inertia, what a contact gives would weigh h² k/I times as much to the joints, and a loaded chain about a peg
+// would burst.
 // Sources: Tournier et al., Stable Constrained Dynamics (SIGGRAPH 2015); Andrews et al., Geometric Stiffness for Real-time
 // Constrained Multibody Dynamics (Eurographics 2017).
 import { poseOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { openAxes } from '../../solver/2d/motion-locks';
 import { articulated } from './articulated-body';
 import { JointTable } from './joint-table';
 
@@ -42,18 +45,20 @@ export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();
 // A body that may not turn has this many times its mass as inertia, kg m²: enough digits are left.
 const LOCKED_INERTIA: f64 = 1e8;
 
-// The masses of all bodies of trees, and their inertias for this step; `least` is h² k.
+// The masses of all bodies of trees, and their inertias for this step; `least` is h² k. A body whose centre is held keeps its
+// own: joints that cannot close would pull ever harder at an inertia that grows with their pull.
 export function braceBodies(t: JointTable, rigid: RigidTable): void {
   for (let i = 0; i < t.bodyCount; i++) {
     const row = word(t.bodyRows, i);
     if (row == 0) continue;
     const body = articulated(t, i);
     const seen = jointed(t, row);
-    const least = rigid.h * seen.stiffness;
     body.mass = 1 / <f64>poseOf(rigid, row).inverseMass;
     body.inertia = seen.inverseInertia > 0 ? 1 / seen.inverseInertia : LOCKED_INERTIA * body.mass;
-    if (seen.inverseInertia == 0 || !(least > body.inertia)) continue;
+    const least = rigid.h * seen.stiffness;
+    if (seen.inverseInertia == 0 || openAxes(rigid, row) == 0 || !(least > body.inertia)) continue;
     body.inertia = least;
     seen.inverseInertia = 1 / least;
+    poseOf(rigid, row).inverseInertia = <real>seen.inverseInertia;
   }
 }

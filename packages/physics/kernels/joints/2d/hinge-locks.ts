@@ -9,7 +9,8 @@
 // F is the impulse at the hinge: the body weighs K on its parent, of which u is the motion at this point. So a joint takes
 // one division. With the arm r of a body from its centre, the centre moves by u + ω s, s = (r_y, -r_x).
 // Source: Featherstone, Rigid Body Dynamics Algorithms (2008), section 7.3, with velocities in place of accelerations.
-import { BodyState, poseOf, stateOf } from '../../solver/2d/body';
+import { BodyState, stateOf } from '../../solver/2d/body';
+import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, ArticulatedMass, massBeside } from './articulated-body';
@@ -195,8 +196,7 @@ export function applyAtHinge(t: JointTable, rigid: RigidTable, at: JointPlace, x
 // @ts-ignore: decorator
 @inline function push(t: JointTable, rigid: RigidTable, row: i32, x: f64, y: f64, armX: f64, armY: f64): void {
   const state = stateOf(rigid, row);
-  const inverseMass = <f64>poseOf(rigid, row).inverseMass;
-  state.vx = <real>(<f64>state.vx + inverseMass * x);
-  state.vy = <real>(<f64>state.vy + inverseMass * y);
+  state.vx = <real>(<f64>state.vx + <f64>inverseMassX(rigid, row) * x);
+  state.vy = <real>(<f64>state.vy + <f64>inverseMassY(rigid, row) * y);
   state.w = <real>(<f64>state.w + jointed(t, row).inverseInertia * (armX * y - armY * x));
 }
