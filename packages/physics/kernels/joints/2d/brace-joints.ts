@@ -45,7 +45,7 @@ export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();
 // A body that may not turn has this many times its mass as inertia, kg m²: enough digits are left.
 const LOCKED_INERTIA: f64 = 1e8;
 
-// The masses of all bodies of trees, and their inertias for this step; `least` is h² k. A body whose centre is held keeps its
+// The masses of all bodies of trees, and their inertias for this step; `least` is h² |k|. A body whose centre is held keeps its
 // own: joints that cannot close would pull ever harder at an inertia that grows with their pull.
 export function braceBodies(t: JointTable, rigid: RigidTable): void {
   for (let i = 0; i < t.bodyCount; i++) {
@@ -55,7 +55,7 @@ export function braceBodies(t: JointTable, rigid: RigidTable): void {
     const seen = jointed(t, row);
     body.mass = 1 / <f64>poseOf(rigid, row).inverseMass;
     body.inertia = seen.inverseInertia > 0 ? 1 / seen.inverseInertia : LOCKED_INERTIA * body.mass;
-    const least = rigid.h * seen.stiffness;
+    const least = rigid.h * abs<f64>(seen.stiffness);
     if (seen.inverseInertia == 0 || openAxes(rigid, row) == 0 || !(least > body.inertia)) continue;
     body.inertia = least;
     seen.inverseInertia = 1 / least;

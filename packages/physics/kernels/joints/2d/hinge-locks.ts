@@ -40,7 +40,7 @@ export const COMPLIANCE: f64 = 1e-4;
   start.errorY = start.y + (<f64>c.dy - <f64>p.dy) + cy - py;
 }
 
-// From the ends of the tree: what the parent bears. With `soft`, also the matrices.
+// From the ends of the tree: what the parent bears. With `factor`, also the matrices.
 // @ts-ignore: decorator
 @inline export function gatherHinge(
   t: JointTable,
@@ -48,16 +48,16 @@ export const COMPLIANCE: f64 = 1e-4;
   at: JointPlace,
   start: HingeStart,
   bias: f64,
-  soft: bool,
+  factor: bool,
 ): void {
-  if (at.below != 0) gatherChild(t, rigid, at, soft);
-  else gatherEnd(rigid, at, soft);
+  if (at.below != 0) gatherChild(t, rigid, at, factor);
+  else gatherEnd(rigid, at, factor);
   const to = changetype<ArticulatedBody>(at.above);
   const x = -at.parentY;
   const y = at.parentX;
   let gx = at.valueX;
   let gy = at.valueY;
-  if (soft) {
+  if (factor) {
     const wx = at.k00 * x + at.k01 * y;
     const wy = at.k01 * x + at.k11 * y;
     const mass = massBeside(t, at.above);
@@ -76,12 +76,12 @@ export const COMPLIANCE: f64 = 1e-4;
 }
 
 // @ts-ignore: decorator
-@inline function gatherChild(t: JointTable, rigid: RigidTable, at: JointPlace, soft: bool): void {
+@inline function gatherChild(t: JointTable, rigid: RigidTable, at: JointPlace, factor: bool): void {
   const from = changetype<ArticulatedBody>(at.below);
   const state = stateOf(rigid, at.childRow);
   const sx = at.childY;
   const sy = -at.childX;
-  if (soft) factorChild(from, massBeside(t, at.below), at, sx, sy);
+  if (factor) factorChild(from, massBeside(t, at.below), at, sx, sy);
   const gx = from.gx + from.mass * <f64>state.vx;
   const gy = from.gy + from.mass * <f64>state.vy;
   const torque = from.gw + from.inertia * <f64>state.w + sx * gx + sy * gy;
@@ -121,9 +121,9 @@ export const COMPLIANCE: f64 = 1e-4;
 }
 
 // @ts-ignore: decorator
-@inline function gatherEnd(rigid: RigidTable, at: JointPlace, soft: bool): void {
+@inline function gatherEnd(rigid: RigidTable, at: JointPlace, factor: bool): void {
   const state = stateOf(rigid, at.childRow);
-  if (soft) {
+  if (factor) {
     const body = changetype<ArticulatedBody>(at.above);
     const mass = COMPLIANCE / body.mass;
     const inertia = COMPLIANCE / body.inertia;

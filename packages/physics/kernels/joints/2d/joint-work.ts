@@ -23,6 +23,8 @@ export class JointWork {
   kind: u32;
   // Number of locked directions.
   locks: i32;
+  // In a tree: which of its limits bears, 0 for none (engage-limits.ts).
+  limit: i32;
   // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
   hasAxes: i32;
   // Rows of the states of a and b, 0 for one that does not move, and of their poses.

@@ -8,7 +8,7 @@ import { colorLoops, layOutLoops } from './color-loops';
 import { JointTable, impulsesOf } from './joint-table';
 import { LOOP, PARENT_B, childOf, indexAbove, orderTrees, setOf } from './joint-trees';
 import { JointPlace, PLAIN, WARM, clearRows, placeAt, signOf, workAt } from './joint-work';
-import { AXES, A_MOVES, B_MOVES, HINGE, LOCKED_END, dropUnused } from './list-active';
+import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, dropUnused } from './list-active';
 
 export function layOutJoints(t: JointTable, rigid: RigidTable): void {
   dropUnused(t);
@@ -60,14 +60,15 @@ function layOutJoint(t: JointTable, k: i32): void {
   const at = placeAt(t, k);
   at.id = id;
   at.parent = word(t.parents, i);
-  // A hinge that closes a loop and stands in no block is solved by rows, as other joints are.
-  const isHinge = (role & HINGE) != 0 && at.parent != LOOP;
+  // A hinge that has limits, or closes a loop and stands in no block, is solved by rows, as other joints are.
+  const isHinge = (role & (HINGE | LIMITED)) == HINGE && at.parent != LOOP;
   at.hinge = !isHinge ? 0 : isWarm(t, i) ? WARM : PLAIN;
   if (at.hinge != PLAIN) {
     t.otherCount++;
     clearRows(t, k);
   }
   work.parent = at.parent;
+  work.limit = 0;
   at.parentRow = at.parent == PARENT_B ? work.b : work.a;
   at.childRow = at.parent == PARENT_B ? work.a : work.b;
   at.impulseX = signOf(at) * impulsesOf(t, id).lock0;

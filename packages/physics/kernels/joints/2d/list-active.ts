@@ -11,7 +11,7 @@ export const LOCKS: i32 = 1;
 export const HINGE: i32 = 2;
 const SPRING: i32 = 4;
 const POWERED: i32 = 8;
-const LIMITED: i32 = 16;
+export const LIMITED: i32 = 16;
 const SPECIAL: i32 = 32;
 export const AXES: i32 = SPRING | POWERED | LIMITED | SPECIAL;
 

@@ -2,7 +2,8 @@
 //
 //   spring   a damped spring of frequency f and damping ratio ζ about its rest, solved implicitly (softness.ts)
 //   motor    Δλ = -m (u - speed), |λ| at most the largest force times h
-//   limits   Δλ = -m (u + s/h) where the limit is s away, else soft as a locked direction; λ >= 0
+//   limits   Δλ = -m (u + s/h) where the limit is s away, else soft as a locked direction; λ >= 0; those of joints in trees are
+//            solved with these (engage-limits.ts)
 //
 // Source: Box2D 3 (revolute_joint.c, prismatic_joint.c).
 import { get } from '../../memory/columns';
@@ -10,6 +11,7 @@ import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { soften, softness } from '../../solver/2d/softness';
 import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
+import { LOOP } from './joint-trees';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
@@ -29,7 +31,7 @@ export function solveAxes(table: usize, soft: i32): void {
     if (work.kind >= MOTOR) continue;
     if (get(t.hertz, work.id) > 0) solveSpring(t, work, a, b, impulses, rigid.h);
     if (get(t.maxMotor, work.id) > 0) solveMotor(t, work, a, b, impulses, rigid.h);
-    if (word(t.hasLimits, work.id) != 0) solveLimits(t, work, a, b, impulses, soft != 0);
+    if (word(t.hasLimits, work.id) != 0 && work.parent == LOOP) solveLimits(t, work, a, b, impulses, soft != 0);
   }
 }
 

@@ -25,13 +25,14 @@ import {
   massOf,
 } from './articulated-body';
 import { jointed } from './brace-joints';
+import { engageLimit, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
 import { COMPLIANCE, exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { JointTable, impulsesOf } from './joint-table';
 import { JointPlace, JointRow, JointWork, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
 import { applyLocks, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { softenJoint } from './soft-impulse';
 import { relaxLoops, solveLoops } from './solve-loops';
-import { applyImpulses } from './start-joints';
+import { applyImpulses, clearMasses } from './start-joints';
 import { watchJoint } from './watch-joints';
 
 // Arms of a row at the parent and at the child.
@@ -123,9 +124,13 @@ export function solveLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
-  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++)
-    if (placeAt(t, k).hinge != PLAIN) applyImpulses(t, rigid, k, -1);
-  solveAll(t, rigid, softness.biasRate, true);
+  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) engageLimit(t, rigid, k);
+  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) {
+    if (placeAt(t, k).hinge == PLAIN) continue;
+    applyImpulses(t, rigid, k, -1);
+    takeBackLimits(t, rigid, k);
+  }
+  solveAll(t, rigid, softness.biasRate, true, true);
   solveLoops(t, softness.biasRate);
 }
 
@@ -133,21 +138,23 @@ export function solveLocks(table: usize): void {
 export function relaxLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
+  const others = t.otherCount > 0 && releaseLimits(t, rigid);
+  if (others) clearMasses(t, rigid);
   softness.massScale = 1;
   softness.impulseScale = 0;
-  solveAll(t, rigid, 0, false);
+  solveAll(t, rigid, 0, false, others);
   relaxLoops(t);
 }
 
-// One function for both, because a branch on `soft` costs less than the code would weigh twice.
-function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool): void {
+// One function for both, because a branch on `soft` costs less than the code would weigh twice. With `factor` matrices are made.
+function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, factor: bool): void {
   for (let k = t.treeCount - 1; k >= 0; k--) {
     const at = placeAt(t, k);
     if (soft && at.hinge == PLAIN) measureHinge(rigid, at, startAt(t, k));
-    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), bias, soft);
-    else gatherJoint(t, rigid, k, bias, soft);
+    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), bias, factor);
+    else gatherJoint(t, rigid, k, bias, factor);
   }
-  moveRoots(t, rigid, soft);
+  moveRoots(t, rigid, factor);
   for (let k = 0; k < t.treeCount; k++) {
     const at = placeAt(t, k);
     if (at.hinge != 0) exertHinge(rigid, at, startAt(t, k), bias, soft);
@@ -164,18 +171,19 @@ function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool): void
 
 // @ts-ignore: decorator
 @inline function watch(t: JointTable, at: JointPlace, k: i32): void {
-  if (at.hinge == PLAIN) watchHinge(at);
-  else watchJoint(t, k);
+  if (at.hinge == PLAIN) return watchHinge(at);
+  settleLimit(t, workAt(t, k));
+  watchJoint(t, k);
 }
 
-function moveRoots(t: JointTable, rigid: RigidTable, soft: bool): void {
+function moveRoots(t: JointTable, rigid: RigidTable, factor: bool): void {
   for (let k = 0; k < t.rootCount; k++) {
     const root = articulated(t, k);
     const mass = massOf(t, k);
     const row = word(t.roots, k);
     const state = stateOf(rigid, row);
-    if (soft) addOwnMass(mass, root);
-    if (soft) invert(changetype<usize>(mass));
+    if (factor) addOwnMass(mass, root);
+    if (factor) invert(changetype<usize>(mass));
     freeVelocity(root, mass, <f64>state.vx, <f64>state.vy, <f64>state.w);
     follow(state, root, jointed(t, row).inverseInertia > 0);
   }
@@ -188,10 +196,10 @@ function moveRoots(t: JointTable, rigid: RigidTable, soft: bool): void {
 }
 
 // From the ends: what the parent bears.
-function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, soft: bool): void {
+function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, factor: bool): void {
   const at = placeAt(t, k);
   const work = workAt(t, k);
-  if (soft) factorJoint(t, at, work);
+  if (factor) factorJoint(t, at, work);
   const state = stateOf(rigid, at.childRow);
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);

@@ -15,18 +15,25 @@ import { startLoops } from './solve-loops';
 export function startJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  memory.fill(t.masses, 0, <usize>t.rootCount * ARTICULATED_MASS_SIZE);
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
-    const at = placeAt(t, k);
-    if (at.hinge == PLAIN) continue;
+    if (placeAt(t, k).hinge == PLAIN) continue;
     measureJoint(t, k);
-    if (at.hinge == 0 && at.below != 0)
-      memory.fill(changetype<usize>(massBeside(t, at.below)), 0, ARTICULATED_MASS_SIZE);
     applyImpulses(t, rigid, k, 1);
     if (workAt(t, k).hasAxes != 0) warmStartAxes(t, rigid, workAt(t, k));
   }
-  if (rigid.lockedCount > 0) weighLocked(t, rigid);
+  clearMasses(t, rigid);
   startLoops(t);
+}
+
+// Makes the matrices of all bodies of trees ready to be added to. Those at the ends of hinges are so whenever they were read.
+export function clearMasses(t: JointTable, rigid: RigidTable): void {
+  memory.fill(t.masses, 0, <usize>t.rootCount * ARTICULATED_MASS_SIZE);
+  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) {
+    const at = placeAt(t, k);
+    if (at.hinge == 0 && at.below != 0)
+      memory.fill(changetype<usize>(massBeside(t, at.below)), 0, ARTICULATED_MASS_SIZE);
+  }
+  if (rigid.lockedCount > 0) weighLocked(t, rigid);
 }
 
 // Factor of a body's mass along a locked axis: large against all that is joined to it, and small enough to leave digits.
