@@ -3,6 +3,7 @@ import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt, shapePool } from '../collision/shapes/shape-pool.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber, isRecord, mustBe } from '../errors/validate.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { ballInertia, ballMass, discInertia, discMass } from './inertia.ts';
 
@@ -31,13 +32,15 @@ export interface ResolvedInput<Body> {
 
 /**
  * Replaces shape and density by what follows from them. A body with a shape turns, so that it also gets `Rotation` and,
- * if it has mass, `AngularVelocity`; give `inertia: Infinity` to one that must not turn.
+ * if it has mass, `AngularVelocity`; give `inertia: Infinity` to one that must not turn. Among rigid bodies a disc with mass
+ * is one, whether it has a density or not.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function resolveShape<Body extends object>(world: PhysicsWorld, body: Body): ResolvedInput<Body> {
   const { collider } = body as Input;
-  if (!isRecord(collider) || (collider.shape === undefined && collider.density === undefined)) {
-    return { body, shape: undefined };
+  if (!isRecord(collider)) return { body, shape: undefined };
+  if (collider.shape === undefined && collider.density === undefined) {
+    return { body: isRigidDisc(world, body) ? turning(body) : body, shape: undefined };
   }
   const { shape: given, density, ...fields } = collider;
   const shape = given === undefined || given === 0 ? undefined : checkShape(world, given, 'collider.shape');
@@ -52,6 +55,26 @@ export function resolveShape<Body extends object>(world: PhysicsWorld, body: Bod
   const resolved: Record<string, unknown> = { ...body, collider: { ...fields, radius } };
   if (shape !== undefined || density !== undefined) addMass(world, resolved, solidOf(world, shape, radius), density);
   return { body: resolved as Body, shape };
+}
+
+/** Whether a body with a collider and no shape is a disc of rigid bodies, which turns. */
+function isRigidDisc(world: PhysicsWorld, body: object): boolean {
+  return world.dimensions === 2 && isSoftStep(world.integrator) && (body as Input).mass !== undefined;
+}
+
+/** A disc with what it needs to turn. Masses and radii may be lists; what is wrong with them is said where they are checked. */
+function turning<Body extends object>(body: Body): Body {
+  const { mass, collider } = body as Input;
+  const masses = (isRecord(mass) ? mass.value : mass) ?? 1;
+  const radii = (collider as Input).radius ?? 0.5;
+  const each = (values: unknown, i: number) => (typeof values === 'number' ? values : (values as ArrayLike<number>)[i]);
+  const lists = [masses, radii].filter((values) => typeof values !== 'number') as ArrayLike<number>[];
+  const inertias = Array.from({ length: lists[0]?.length ?? 1 }, (_, i) => {
+    const radius = each(radii, i);
+    return 0.5 * each(masses, i) * radius * radius;
+  });
+  if (!inertias.every((inertia) => inertia > 0 && inertia < Infinity)) return body;
+  return { rotation: {}, angularVelocity: {}, inertia: lists.length === 0 ? inertias[0] : inertias, ...body };
 }
 
 /**

@@ -13,8 +13,8 @@ import {
   JOINT_IMPULSES_BYTES,
   JointTableWord as Word,
 } from '../memory/layouts.gen.ts';
-import { isSoftStep } from '../solver/is-soft-step.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { JointInput } from './joint-input.ts';
 import { type EndedJoints, endedOf, jointTable } from './joint-table.ts';

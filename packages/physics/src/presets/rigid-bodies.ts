@@ -6,11 +6,11 @@ import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { breakJoints } from '../joints/create-joint.ts';
 import { JOINT_BYTES_PER_ENTITY } from '../joints/joint-table.ts';
 import type { Precision } from '../kernels/instantiate.ts';
-import { isSoftStep } from '../solver/is-soft-step.ts';
 import { refuseUnsupported } from '../solver/refuse-unsupported.ts';
 import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
 import { softStep } from '../solver/soft-step.ts';
 import { dispatchFaultEvents } from '../world/event-handlers.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld, Preset } from '../world/types.ts';
 
 /**

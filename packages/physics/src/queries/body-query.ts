@@ -13,9 +13,9 @@ import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
 import { contentVersion } from '../solver/content-version.ts';
-import { isSoftStep } from '../solver/is-soft-step.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { visitWalls, type WallQuery } from './walls.ts';
 

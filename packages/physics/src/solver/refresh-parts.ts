@@ -7,8 +7,8 @@ import { isOpen } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import { resource } from '../memory/resource.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { isSoftStep } from './is-soft-step.ts';
 import { rigidTable } from './rigid-table.ts';
 
 const partList = resource((): EntityList => emptyEntityList());

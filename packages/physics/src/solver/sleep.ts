@@ -3,8 +3,8 @@
 import { bodyOf } from '../bodies/parts.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { isSoftStep } from './is-soft-step.ts';
 import { rigidTable } from './rigid-table.ts';
 import { ASLEEP, PART, WAKES } from './row-flags.ts';
 

@@ -1,4 +1,4 @@
-import type { Integrator } from '../world/types.ts';
+import type { Integrator } from './types.ts';
 
 /** The integrators that solve rigid bodies. */
 const softSteps = new WeakSet<Integrator>();
