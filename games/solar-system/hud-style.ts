@@ -52,7 +52,9 @@ export const HUD_STYLE = `
   .ss-jpl { width: auto; max-width: 292px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }
 @media (max-width: 699px) { .ss-sky[open] { max-height: calc(100vh - 500px) } }
-@media (max-height: 479px) { .ss-sky[open] { max-height: calc(100vh - 214px) } }
+@media (max-height: 479px) { .ss-sky[open] { max-height: calc(100vh - 214px) }
+  /* Card and lists together would leave no room for the flight. */
+  .ss:has(.ss-card) .ss-jpl { display: none } }
 @media (min-width: 700px) and (max-height: 479px) { .ss-card { position: fixed; right: 8px; bottom: 8px; width: 330px; max-height: calc(100% - 70px); overflow: auto }
   .ss-menu { position: fixed; right: 12px; bottom: 12px; width: 220px; display: grid } .ss-time { width: calc(100% - 350px); justify-self: start } }
 /* Where the card has no room for the goal beside its controls. */

@@ -14,6 +14,13 @@ const ZOOM_RATE = 4;
 /** Proportion of width to height below which a window needs a larger distance. */
 const WIDE = 1.3;
 
+/** What panels of the game cover of the window at its sides, CSS pixels. */
+export interface Covered {
+  readonly left: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
 export class SolarCamera {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1e-6, 1e6);
   readonly #orbit: OrbitCamera;
@@ -81,8 +88,8 @@ export class SolarCamera {
     this.#scale(1 / factor);
   }
 
-  /** Called once a frame. @param covered what panels of the game cover of the window, CSS pixels */
-  update(seconds: number, insets: Insets, covered: { readonly right: number; readonly bottom: number }): void {
+  /** Called once a frame. */
+  update(seconds: number, insets: Insets, covered: Covered): void {
     if (this.#wanted > 0) this.#scale((this.#wanted / this.distance) ** (1 - Math.exp(-ZOOM_RATE * seconds)));
     this.#orbit.update(seconds);
     this.#placeWindow(insets, covered);
@@ -100,9 +107,9 @@ export class SolarCamera {
   }
 
   /** Centres the picture in what panels leave free. */
-  #placeWindow({ top, right, left }: Insets, covered: { readonly right: number; readonly bottom: number }): void {
+  #placeWindow({ top, right, left }: Insets, covered: Covered): void {
     const { width, height } = this.#viewport;
-    const dx = (Math.max(right, covered.right) - left) / 2;
+    const dx = (Math.max(right, covered.right) - Math.max(left, covered.left)) / 2;
     const dy = (covered.bottom - top) / 2;
     const { view } = this.camera;
     if (view?.offsetX === dx && view.offsetY === dy && view.width === width && view.height === height) return;
