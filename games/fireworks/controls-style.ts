@@ -63,7 +63,7 @@ export const CONTROLS_STYLE = `
 @media (max-height: 460px) { .fw-hint { padding: 0 14px; font-size: 13px } .fw-hint:empty { display: none } }
 @media (max-height: 460px) and (pointer: coarse) { .fw-desk { bottom: 2px }
   .fw-tray { display: grid; border-radius: 10px; padding: 0 6px } .fw-tray > div { display: flex }
-  .fw-show { display: flex; gap: 8px; padding: 2px 10px 2px 4px } .fw-line { flex: 1; margin-top: 0 } }
+  .fw-show { display: flex; gap: 20px; padding: 2px 10px 2px 4px } .fw-line { flex: 1; margin-top: 0 } }
 @media (max-width: 759px), (max-height: 479px) { .game:has(.game-side:not([hidden])) :is(.fw-desk, .fw-extras) { visibility: hidden } }
 @media (max-height: 460px) and (pointer: fine) { .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
 `;
