@@ -113,7 +113,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
   z-index: 2 }
 .game-outcome h2 { margin: 0 0 6px; font-size: 26px; letter-spacing: -0.01em }
-.game-outcome p { margin: 0 }
+.game-outcome p { margin: 0 } .game-outcome :is(h2, p) { text-wrap: balance }
 .game-outcome ol { margin: 14px auto 18px; padding: 0; width: max-content; color: var(--dim); text-align: left;
   list-style-position: inside; font-variant-numeric: tabular-nums }
 .game-outcome li b { display: inline-block; min-width: 44px; color: var(--ink); text-align: right }
