@@ -159,10 +159,10 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 @media ${NARROW} { .game:has(.game-side:not([hidden])) > .game-timeline { right: 0 } }
-.game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 320px }
+.game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 100% }
 @media (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 344px } }
 @media (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
-  .game-sheet .game-side .lil-gui { --width: 100% } .game-sheet .game-pad { bottom: calc(46% + 12px + var(--foot, 0px)) }
+  .game-sheet .game-pad { bottom: calc(46% + 12px + var(--foot, 0px)) }
   .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
