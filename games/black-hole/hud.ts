@@ -45,6 +45,7 @@ const STYLE = `
   .bh-hud { font-size: 12px } .bh-score { font-size: 13px } .bh-toast { font-size: 17px } .bh-fuel { width: 100px }
   .bh-call:not(.low) { top: 53% } .bh-call.low { left: auto; right: 12px; translate: none; font-size: 11px } }
 @media (max-width: 759px), (max-height: 479px) { .game:has(.game-side:not([hidden])) :is(.bh-redraw, .bh-daily, .bh-call) { visibility: hidden } }
+@media (max-height: 479px) { .game:has(.game-side:not([hidden])) .bh-speed { visibility: hidden } }
 .bh-hud.outside { font-size: 13px } .outside .bh-lives { top: -44px; left: 10px } .outside .bh-level { top: -44px; right: 10px; gap: 3px }
 .outside .bh-score { top: -22px; left: 10px; translate: none } .outside .bh-fuel { bottom: -40px; left: 10px }
 .outside .bh-speed { display: block; bottom: -24px; right: 10px } .outside .bh-call.low { bottom: 8px; right: 8px }
@@ -219,11 +220,11 @@ function createCall(find: Find, redraw: () => void) {
   const daily = find('.bh-daily');
   let shown: Call | undefined;
   return (call: Call, isFirst: boolean) => {
+    if (daily.hidden === isFirst) daily.hidden = !isFirst;
     if (call === shown) return;
     shown = call;
     card.classList.toggle('low', call[0] === '');
     other.hidden = call[0] === '';
-    daily.hidden = !isFirst;
     title.textContent = call[0];
     text.textContent = call[1];
   };
@@ -261,25 +262,34 @@ const CALLS = {
   none: ['', ''],
 } satisfies Record<string, Call>;
 
-/** One message per name of the goal's colour for the first flight, and one per level for the others. */
-const READY = new Map<string | number, Call>();
+/** The message before the first flight, and what it was made of. */
+let first: { readonly seed: number; readonly goal: string; readonly call: Call } | undefined;
+/** One message per level for the other flights. */
+const READY = new Map<number, Call>();
 
-function readyCall({ hasBegun, dodged }: BlackHoleGame['rules'], goal: Palette['goalName']): Call {
-  const key = hasBegun ? dodged : goal;
-  const known = READY.get(key);
+function firstCall(seed: number, goal: Palette['goalName']): Call {
+  if (first?.seed !== seed || first.goal !== goal) {
+    const day = dayOfSeed(seed);
+    const title = day === undefined ? WORDS.title : WORDS.dailyTitle(day);
+    first = { seed, goal, call: [title, `${WORDS.goal[goal]} ${WORDS.launch}.`] };
+  }
+  return first.call;
+}
+
+function readyCall(dodged: number): Call {
+  const known = READY.get(dodged);
   if (known !== undefined) return known;
-  const made: Call = hasBegun
-    ? [WORDS.level(dodged + 1), WORDS.launch]
-    : [WORDS.title, `${WORDS.goal[goal]} ${WORDS.launch}.`];
-  READY.set(key, made);
+  const made: Call = [WORDS.level(dodged + 1), WORDS.launch];
+  READY.set(dodged, made);
   return made;
 }
 
-function callOf({ rules, isDemo, isReplay, autopilot }: BlackHoleGame, goal: Palette['goalName']): Call {
+function callOf({ rules, seed, isDemo, isReplay, autopilot }: BlackHoleGame, goal: Palette['goalName']): Call {
   if (isReplay) return CALLS.replay;
   if (isDemo) return CALLS.demo;
   if (autopilot) return CALLS.autopilot;
-  return rules.phase === 'ready' ? readyCall(rules, goal) : CALLS.none;
+  if (rules.phase !== 'ready') return CALLS.none;
+  return rules.hasBegun ? readyCall(rules.dodged) : firstCall(seed, goal);
 }
 
 function toastOf({ kind, points }: GameEvent, { rules, dt }: BlackHoleGame, comparison?: Comparison): string {

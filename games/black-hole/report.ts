@@ -17,7 +17,7 @@ export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Ou
   if (!isWhole) lines.push(WORDS.notRanked(rules.firstLevel));
   const day = dayOfSeed(seed);
   return {
-    title: day === undefined ? WORDS.over : WORDS.dailyOver(day),
+    title: day === undefined ? WORDS.over : WORDS.dailyTitle(day),
     score: autopilot || !isWhole ? 0 : score + bonus,
     lines,
     // The number after the seed of a day is that of the next day.

@@ -3,6 +3,9 @@ import { chooseWords, decimal, hasCoarsePointer, type Language } from '@principi
 
 const isTouch = hasCoarsePointer();
 
+/** A date that stays on one line. */
+const unbroken = (day: string) => day.replaceAll('-', '\u2011');
+
 const en = {
   title: 'Black hole',
   settings: {
@@ -66,7 +69,7 @@ const en = {
   slingshot: 'Slingshot! +1 bonus at the goal',
   empty: 'Out of fuel',
   over: 'Game over',
-  dailyOver: (day: string) => `Daily challenge ${day}`,
+  dailyTitle: (day: string) => `Daily challenge ${unbroken(day)}`,
   cleared: (levels: number) => `${levels} ${levels === 1 ? 'level' : 'levels'} cleared`,
   slingshots: (count: number) => (count === 1 ? '1 slingshot' : `${count} slingshots`),
   points: (score: number, bonus: number) => `${score} ${score === 1 ? 'point' : 'points'} + ${bonus} bonus`,
@@ -133,7 +136,7 @@ const de: Words = {
   redraw: 'Andere Löcher',
   redrawHint: 'Andere Löcher (N) – kein Bonus auf dieser Stufe',
   level: (level) => `Stufe ${level}`,
-  rewards: (points, bonus) => `${points} wert · Bonus ${bonus}`,
+  rewards: (points, bonus) => `zählt ${points} · Bonus ${bonus}`,
   fuel: (speed) => `Treibstoff ${speed} m/s`,
   speed: (spent, speed) => `Δv ${spent} m/s · Tempo ${speed} m/s`,
   dodged: (holes) => (holes === 1 ? '1 Loch umflogen' : `${holes} Löcher umflogen`),
@@ -153,7 +156,7 @@ const de: Words = {
   slingshot: 'Swing-by! +1 Bonus im Ziel',
   empty: 'Kein Treibstoff mehr',
   over: 'Spiel vorbei',
-  dailyOver: (day) => `Tagesaufgabe ${day}`,
+  dailyTitle: (day) => `Tagesaufgabe ${unbroken(day)}`,
   cleared: (levels) => `${levels} ${levels === 1 ? 'Stufe' : 'Stufen'} geschafft`,
   slingshots: (count) => (count === 1 ? '1 Swing-by' : `${count} Swing-bys`),
   points: (score, bonus) => `${score} ${score === 1 ? 'Punkt' : 'Punkte'} + ${bonus} Bonus`,

@@ -60,9 +60,10 @@ export const CONTROLS_STYLE = `
 @media (pointer: coarse) { .fw-desk :is(.fw-tray, .fw-show) button:not(.fw-mark) { min-width: 44px; height: 44px }
   .fw-tray > div { display: contents } .fw-tray { gap: 0; padding: 2px } .fw-tray span { display: none }
   .fw-show p { display: none } .fw-line { height: 44px } .fw-line .fw-mark { top: 4px; width: 26px; height: 26px; margin-left: -13px } }
-@media (max-height: 460px) and (pointer: coarse) { .fw-hint { display: none } .fw-desk { bottom: 2px }
+@media (max-height: 460px) { .fw-hint { padding: 0 14px; font-size: 13px } .fw-hint:empty { display: none } }
+@media (max-height: 460px) and (pointer: coarse) { .fw-desk { bottom: 2px }
   .fw-tray { display: grid; border-radius: 10px; padding: 0 6px } .fw-tray > div { display: flex }
-  .fw-show { display: flex; gap: 8px; padding: 2px 10px 2px 4px } .fw-line { flex: 1; margin-top: 0 } }
+  .fw-show { display: flex; gap: 20px; padding: 2px 10px 2px 4px } .fw-line { flex: 1; margin-top: 0 } }
 @media (max-width: 759px), (max-height: 479px) { .game:has(.game-side:not([hidden])) :is(.fw-desk, .fw-extras) { visibility: hidden } }
-@media (max-height: 460px) and (pointer: fine) { .fw-hint { display: none } .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
+@media (max-height: 460px) and (pointer: fine) { .fw-desk button { height: 30px } .fw-desk { gap: 4px } }
 `;

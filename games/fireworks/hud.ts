@@ -1,6 +1,6 @@
 /** The controls on the page: shells and colours to choose from, and the timeline of a show. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
-import { createClipButton, element, grouped, type ViewContext } from '@principia/shell';
+import { createClipButton, element, grouped, hasCoarsePointer, type ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
 import { CONTROLS_STYLE } from './controls-style.ts';
 import { BARRAGE_ICON, icon, SHELL_ICONS, SURPRISE_ICON } from './icons.ts';
@@ -88,7 +88,8 @@ export function createHud(context: ViewContext<Settings, FireworksGame>, control
 
 function hintOf(sim: FireworksGame, controls: PlayerControls): string {
   if (controls.kind === SWARM) return swarmHint(sim);
-  if (controls.isEditing) return '';
+  // For fingers the timeline has no room to say so.
+  if (controls.isEditing) return hasCoarsePointer() && controls.editor.cues.length === 0 ? WORDS.noShells : '';
   if (sim.isDemo) return WORDS.launch;
   if (sim.isShowing) return controls.isDemo ? '' : WORDS.playing;
   return sim.fired > 0 && sim.fired < 4 ? WORDS.compose : '';

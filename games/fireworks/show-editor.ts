@@ -60,6 +60,10 @@ export class ShowEditor {
     this.chosen = -1;
   }
 
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
   /** Undoes the last change. */
   undo(): void {
     const before = this.#past.pop();

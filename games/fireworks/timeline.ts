@@ -44,6 +44,7 @@ export function createTimeline(context: ViewContext<Settings, FireworksGame>, co
   const showState = (isPlaying: boolean) => {
     const count = editor.cues.length;
     for (const name of ['play', 'clear', 'share']) buttonOf(name).disabled = count === 0;
+    buttonOf('undo').disabled = !editor.canUndo;
     buttonOf('remove').disabled = editor.chosen < 0;
     buttonOf('play').textContent = isPlaying ? WORDS.stop : WORDS.play;
     text.textContent = statusOf(count, editor.cursor);

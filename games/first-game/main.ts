@@ -34,7 +34,8 @@ function beep(frequency: number) {
 
 // Every tap that hits the ball kicks it up and counts, until the ball touches the floor.
 const output = document.querySelector('output') as HTMLOutputElement;
-const keys = matchMedia('(pointer: coarse)').matches ? '' : ', or press Space as it falls low';
+const { touch, keys, top } = output.dataset; // the words of index.html, in the reader's language
+const hint = matchMedia('(pointer: coarse)').matches ? touch : keys;
 const camera = { x: 0, y: height / 2, pixelsPerMetre: 1 };
 let [score, best] = [0, Number(localStorage.getItem('keep it up') ?? 0)];
 function kick(sideways: number) {
@@ -62,7 +63,7 @@ app.ticker.add(({ deltaMS }) => {
     score = 0;
     beep(90);
   }
-  output.value = score === 0 ? `Tap the ball${keys} – best: ${best}` : `${score}`;
+  output.value = score === 0 ? `${hint} – ${top}: ${best}` : `${score}`;
   camera.pixelsPerMetre = Math.min(app.screen.width / (2 * halfWidth + 1), app.screen.height / (height + 1));
   applyCamera(app.stage, camera, app.screen);
   layer.update(runner.alpha);

@@ -12,7 +12,9 @@ const en = {
   toy: 'Things to play with',
   lab: 'Experiments',
   none: 'There is no game yet.',
+  nothing: 'No game is like that. Try another word, such as “ball” or “sky”.',
   keys: 'Most games list their keys when you press <kbd>H</kbd>: <kbd>Space</kbd> pauses, <kbd>B</kbd> runs time backwards, <kbd>S</kbd> slows it down.',
+  touch: 'Most games explain themselves behind the button <kbd>?</kbd>.',
   privacy:
     'Everything happens in your browser, and nothing is sent anywhere. After the first visit the site works without the internet.',
   /** Shown on every page that is opened from a folder. */
@@ -30,7 +32,9 @@ const de = {
   toy: 'Zum Herumspielen',
   lab: 'Experimente',
   none: 'Es gibt noch kein Spiel.',
+  nothing: 'So ein Spiel gibt es hier nicht. Versuch ein anderes Wort, etwa „Ball“ oder „Loch“.',
   keys: 'Die meisten Spiele zeigen mit <kbd>H</kbd> ihre Tasten: Die <kbd>Leertaste</kbd> hält an, <kbd>B</kbd> spult zurück, <kbd>S</kbd> verlangsamt.',
+  touch: 'Die meisten Spiele erklären sich hinter dem Knopf <kbd>?</kbd>.',
   privacy:
     'Alles geschieht in deinem Browser, und nichts wird irgendwohin geschickt. Nach dem ersten Besuch geht es auch ohne Internet.',
   fromDisk:

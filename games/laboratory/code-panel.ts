@@ -15,8 +15,16 @@ export interface CodePanel {
   show(isShown: boolean): void;
 }
 
-/** @param linked a version that the address carries, which the reader has not agreed to run yet */
-export async function createCodePanel(parent: HTMLElement, id: string, linked: string | undefined): Promise<CodePanel> {
+/**
+ * @param linked a version that the address carries, which the reader has not agreed to run yet
+ * @param close called when the reader is done
+ */
+export async function createCodePanel(
+  parent: HTMLElement,
+  id: string,
+  linked: string | undefined,
+  close: () => void,
+): Promise<CodePanel> {
   const original = id === NEW ? NEW_SOURCE : await SOURCES[id]();
   const text = element('textarea', '', {
     'aria-label': words.source,
@@ -56,6 +64,7 @@ export async function createCodePanel(parent: HTMLElement, id: string, linked: s
   add(WORDS.copyLink, words.copyHint, async () => {
     report(await copyLink(await linkWith(text.value), words.thisVersion));
   });
+  add(words.close, words.closeHint, close);
   text.addEventListener('keydown', (event) => {
     if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) void run(id, text.value, report);
   });

@@ -59,11 +59,11 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       // A whole run, so that each moment of it can be seen again.
       rewindSeconds: () => rewindSeconds(example),
       settings,
-      ...simulationOf(example, probe, settings, code),
+      ...simulationOf(example, probe, settings, code.show),
       cards: async (parent) => (await import('./side-cards.ts')).createSideCards(parent, example),
       link: momentAddress,
       report: (run) => ({ checks: run.checkStates() }),
-      renderers: rendererOf(example),
+      renderers: rendererOf(example, code.closeBy),
       ...controlsOf(example),
       help: [
         ...Object.values(example.actions).map(({ key, about, label }) => [keyName(key), about, label] as const),
@@ -97,14 +97,28 @@ async function chosenVersion(entry: ExampleEntry): Promise<{ example: Example; p
   return { example: await entry.load(), problem: '' };
 }
 
-/** Shows and hides the panel with the code, which is loaded when it is first shown. */
-function codeSwitch(id: string, linked: string | undefined): (isShown: boolean) => void {
+/** The panel with the code, which is loaded when it is first shown. */
+interface CodeSwitch {
+  show(isShown: boolean): void;
+  /** @param turnOff turns the setting off that shows it: on a phone the panel covers those */
+  closeBy(turnOff: () => void): void;
+}
+
+function codeSwitch(id: string, linked: string | undefined): CodeSwitch {
   let panel: Promise<CodePanel> | undefined;
-  return (isShown) => {
-    if (!isShown && panel === undefined) return;
-    const parent = document.querySelector('.game') as HTMLElement;
-    panel ??= import('./code-panel.ts').then(({ createCodePanel }) => createCodePanel(parent, id, linked));
-    void panel.then(({ show }) => show(isShown));
+  let close = () => {};
+  return {
+    show(isShown) {
+      if (!isShown && panel === undefined) return;
+      const parent = document.querySelector('.game') as HTMLElement;
+      panel ??= import('./code-panel.ts').then(({ createCodePanel }) =>
+        createCodePanel(parent, id, linked, () => close()),
+      );
+      void panel.then(({ show }) => show(isShown));
+    },
+    closeBy(turnOff) {
+      close = turnOff;
+    },
   };
 }
 
@@ -149,20 +163,28 @@ function simulationOf(example: Example, first: ExampleRun, settings: Settings, c
   };
 }
 
-function rendererOf({ dimensions, pointer }: Example): Readonly<Record<string, Renderer<Settings, LabRun>>> {
+function rendererOf(
+  { dimensions, pointer }: Example,
+  closeBy: CodeSwitch['closeBy'],
+): Readonly<Record<string, Renderer<Settings, LabRun>>> {
+  type Context = Parameters<Renderer<Settings, LabRun>['open']>[0];
+  const withClose = (context: Context) => {
+    closeBy(() => context.toggle('code'));
+    return context;
+  };
   return dimensions === 3
     ? {
         three: {
           label: '3D',
           dimensions,
-          open: async (context) => (await import('./view-3d.ts')).openView3D(context, pointer),
+          open: async (context) => (await import('./view-3d.ts')).openView3D(withClose(context), pointer),
         },
       }
     : {
         pixi: {
           label: '2D',
           dimensions,
-          open: async (context) => (await import('./view-2d.ts')).openView(context, pointer),
+          open: async (context) => (await import('./view-2d.ts')).openView(withClose(context), pointer),
         },
       };
 }

@@ -21,7 +21,8 @@ const styles = `
 .lab-code { position: absolute; left: 12px; bottom: calc(12px + var(--foot, 0px)); width: min(720px, calc(100% - 24px)); height: 56%; display: flex; flex-direction: column;
   gap: 8px; padding: 12px; box-sizing: border-box; border: 1px solid var(--line); border-radius: 14px; background: #0e1530f2; z-index: 1 }
 @media (min-width: 760px) { .game:has(.game-side:not([hidden])) .lab-code { width: min(760px, calc(100% - 356px)) } }
-@media (max-width: 759px), (max-height: 479px) { .lab-code { z-index: 3; height: calc(100% - 76px); bottom: 6px; left: 6px; width: calc(100% - 12px) } }
+@media (max-width: 759px), (max-height: 479px) { .lab-code { z-index: 3; height: calc(100% - 76px); bottom: 6px; left: 6px; width: calc(100% - 12px) }
+  .game:has(> .lab-code:not([hidden])) > .game-timeline { visibility: hidden } }
 .lab-code textarea { flex: 1; min-height: 0; resize: none; border: 0; border-radius: 8px; padding: 8px 10px; background: #0a1026; color: #dfe6ff;
   font: 12.5px/18px ui-monospace, SFMono-Regular, Menlo, Consolas, monospace; tab-size: 2; white-space: pre; overflow: auto; outline: none }
 .lab-code textarea:focus-visible { box-shadow: 0 0 0 2px var(--accent) } .lab-code textarea::selection { background: #d0474f99 }
@@ -29,7 +30,7 @@ const styles = `
 .lab-code-buttons { display: flex; flex-wrap: wrap; gap: 8px }
 .lab-code-buttons button { border: 1px solid var(--line); border-radius: 9px; background: #ffffff14; color: var(--ink); font: inherit;
   font-size: 13px; padding: 7px 14px; min-height: 36px; cursor: pointer } .lab-code-buttons button:first-child { background: var(--accent); color: #1c1503 }
-.lab-code-buttons button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
+.lab-code-buttons button:last-child { margin-left: auto } .lab-code-buttons button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .lab-words { margin: 0; font-size: 12.5px; line-height: 1.45; color: var(--dim); font-variant-numeric: tabular-nums; user-select: text }
 .lab-spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); margin: 0 }
 .lab-presets kbd { font: inherit; font-weight: 700; color: var(--accent) }
@@ -45,7 +46,7 @@ const styles = `
 .lab-said { margin: -4px 0 8px; font-size: 12px; color: var(--dim) } .lab-said:empty { display: none } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
 .lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
   padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
-@media (pointer: coarse) { .lab-presets :is(a, button) { min-height: 44px; min-width: 44px; box-sizing: border-box; line-height: 26px }
+@media (pointer: coarse) { .lab-presets kbd { display: none } .lab-presets :is(a, button) { min-height: 44px; min-width: 44px; box-sizing: border-box; line-height: 26px }
   .lab-neighbours a { line-height: 44px; min-width: 44px } :is(.lab-save, .lab-fold) { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }
 .lab-plot .u-cursor-x { position: absolute; left: 0; top: 0; height: 100%; border-right: 1px dashed #ffffff66; pointer-events: none }
 .lab-plot .u-cursor-pt { position: absolute; top: 0; left: 0; border-radius: 50%; pointer-events: none; background-clip: padding-box !important }

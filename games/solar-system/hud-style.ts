@@ -25,7 +25,7 @@ export const HUD_STYLE = `
 .ss-sky { margin-top: 6px } .ss-sky select { width: 100%; margin: 5px 0 3px; padding: 3px 6px; border: 1px solid #ffffff2e; border-radius: 8px; background: #131a35; font-size: 12.5px }
 .ss-sky button { display: block; width: 100%; border: 0; background: none; padding: 2px; border-radius: 6px; text-align: left; font-size: 12.5px; line-height: 1.35; cursor: pointer }
 .ss-date .ss-sky b { color: #ffd28a; font-size: 12.5px; font-weight: 600; letter-spacing: 0 }
-.ss-sky[open] { box-sizing: border-box; max-height: calc(100vh - 320px); min-height: 110px; overflow-y: auto; pointer-events: auto; background: #0b1024ec }
+.ss-jpl[open] { box-sizing: border-box; overflow-y: auto; pointer-events: auto; background: #0b1024ec } .ss-sky[open] { max-height: calc(100vh - 320px); min-height: 110px }
 .ss-foot { position: absolute; left: 20px; right: 20px; bottom: max(14px, env(safe-area-inset-bottom)); display: grid; gap: 8px;
   justify-items: center }
 .ss-time { display: grid; grid-template-columns: auto minmax(120px, 460px) auto; gap: 10px; align-items: center; font-size: 12px; color: #a9b8e2 }
@@ -52,11 +52,13 @@ export const HUD_STYLE = `
   .ss-jpl { width: auto; max-width: 292px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }
 @media (max-width: 699px) { .ss-sky[open] { max-height: calc(100vh - 500px) } }
-@media (max-height: 479px) { .ss-sky[open] { max-height: calc(100vh - 214px) } }
+@media (max-height: 479px) { .ss-jpl[open] { max-height: calc(100vh - 214px) } }
+/* Card and lists together would leave no room for the flight. */
+@media (max-width: 699px), (max-height: 479px) { .ss:has(.ss-card) .ss-jpl { display: none } }
 @media (min-width: 700px) and (max-height: 479px) { .ss-card { position: fixed; right: 8px; bottom: 8px; width: 330px; max-height: calc(100% - 70px); overflow: auto }
   .ss-menu { position: fixed; right: 12px; bottom: 12px; width: 220px; display: grid } .ss-time { width: calc(100% - 350px); justify-self: start } }
 /* Where the card has no room for the goal beside its controls. */
 @media (max-width: 829px) and (max-height: 699px) { .ss-card p.ss-goal { display: none } }
 @media (min-width: 830px) and (max-height: 479px) { .ss-card { width: 350px; max-height: calc(100% - 16px) } .ss-goal span { display: none }
-  .ss-card .ss-row { gap: 5px } .ss-card .ss-row button { padding: 5px 8px } .ss-card .ss-slide { height: 40px } .ss-time { width: calc(100% - 370px) } }
+  .ss-card .ss-row { gap: 5px } .ss-card .ss-row button { padding: 5px 8px } .ss-card .ss-slide { height: 36px } .ss-time { width: calc(100% - 370px) } }
 `;

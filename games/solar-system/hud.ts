@@ -9,14 +9,15 @@ import type { Page } from './page.ts';
 import type { Settings } from './settings.ts';
 import { DATES, type SolarGame } from './sim.ts';
 import { createSkyList } from './sky-list.ts';
+import type { Covered } from './solar-camera.ts';
 import { RATES } from './solar-clock.ts';
 import { rateText, WORDS } from './words.ts';
 
 export interface Hud {
   /** The element for names beside bodies. */
   readonly labels: HTMLElement;
-  /** What panels cover of the picture, CSS pixels. */
-  covered(): { readonly right: number; readonly bottom: number };
+  /** What panels cover of the picture. */
+  covered(): Covered;
   /** Called once a frame. */
   update(seconds: number): void;
   destroy(): void;
@@ -45,13 +46,15 @@ export function createHud(context: ViewContext<Settings, SolarGame>, page: Page,
   const time = createTimeControls(find, context, page);
   let since = INTERVAL;
   let updates = 0;
-  const covered = { right: 0, bottom: 0 };
+  const covered = { left: 0, right: 0, bottom: 0 };
   const showCovered = () => {
     const { offsetWidth, offsetHeight } = root;
     const top = foot.offsetTop;
     const box = card.element.getBoundingClientRect();
     // On a wide, low window the card stands at the side.
     const isBeside = box.height > 0 && getComputedStyle(card.element).position === 'fixed';
+    // There the lists at the left, one below the other, reach down to where the planets are.
+    covered.left = isBeside ? find('.ss-jpl').getBoundingClientRect().right : 0;
     covered.right = isBeside ? offsetWidth - box.left : 0;
     covered.bottom = isBeside ? 0 : offsetHeight - Math.min(top, isBeside ? top : box.height > 0 ? box.top : top);
   };
@@ -111,9 +114,10 @@ function createTimeControls(
       shown.date = day;
       const isWaiting = flight.phase !== 'none' && flight.phase !== 'flying';
       const isLimited = clock.limit !== 'none';
-      const speed = clock.isTravelling
-        ? WORDS.travelling(Math.ceil(clock.daysToTravel / 365.25))
-        : rateText(isWaiting ? 0 : isLimited ? clock.actualRate : clock.rate);
+      const speed =
+        clock.daysToTravel > 0
+          ? WORDS.travelling(Math.ceil(clock.daysToTravel / 365.25))
+          : rateText(isWaiting ? 0 : isLimited ? clock.actualRate : clock.rate);
       if (speed !== shown.rate) rate.textContent = speed;
       shown.rate = speed;
       const text = WORDS.limits[clock.limit];

@@ -55,7 +55,8 @@ export function createMissionCard(
       const state = `${mission} ${phase} ${sim.isReplay}`;
       if (state !== shown) build(sim);
       shown = state;
-      element.hidden = sim.clock.isTravelling && phase === 'none';
+      // A paused page has not yet arrived where it begins.
+      element.hidden = sim.clock.daysToTravel > 0 && phase === 'none';
       parts?.update(sim);
     },
   };

@@ -11,8 +11,15 @@ const NEAREST = 3e-5;
 const FARTHEST = 4e4;
 /** How fast the camera approaches its distance, 1/s. */
 const ZOOM_RATE = 4;
-/** Proportion of width to height below which a window needs a larger distance. */
+/** Proportion of free width to height below which orbits need a larger distance. */
 const WIDE = 1.3;
+
+/** What panels of the game cover of the window at its sides, CSS pixels. */
+export interface Covered {
+  readonly left: number;
+  readonly right: number;
+  readonly bottom: number;
+}
 
 export class SolarCamera {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1e-6, 1e6);
@@ -20,6 +27,10 @@ export class SolarCamera {
   readonly #viewport: ReturnType<typeof fitRendererToParent>;
   /** Distance that the camera approaches; 0 where the player chose one. */
   #wanted = 0;
+  /** Whether that is the one of a wide window, and a narrow one shall see as much. */
+  #isAcross = false;
+  /** Width that panels leave free, as a fraction. */
+  #freeWidth = 1;
   readonly #spot = new Vector3();
   readonly #screen = { x: 0, y: 0 };
 
@@ -45,11 +56,6 @@ export class SolarCamera {
     return this.#viewport.height;
   }
 
-  /** Factor of the distance by which a narrow window sees as much as a wide one. */
-  get narrowness(): number {
-    return Math.max(1, WIDE / this.camera.aspect);
-  }
-
   /** Size of a CSS pixel at the distance of a place. */
   readonly pixelAt = ({ x, y, z }: Vector): number =>
     (2 * TANGENT * this.camera.position.distanceTo(this.#spot.set(x, y, z))) / this.#viewport.height;
@@ -70,10 +76,18 @@ export class SolarCamera {
     this.#orbit.controls.target.add(this.#spot);
   }
 
-  /** Goes to a distance. @param atOnce without a glide */
-  approach(distance: number, atOnce = false): void {
+  /**
+   * Goes to a distance.
+   * @param isAcross whether a narrow window goes farther away, to see as much as a wide one @param atOnce without a glide
+   */
+  approach(distance: number, isAcross: boolean, atOnce = false): void {
     this.#wanted = distance;
-    if (atOnce) this.camera.position.setLength(distance);
+    this.#isAcross = isAcross;
+    if (atOnce) this.camera.position.setLength(this.#goal);
+  }
+
+  get #goal(): number {
+    return this.#wanted * (this.#isAcross ? Math.max(1, WIDE / (this.camera.aspect * this.#freeWidth)) : 1);
   }
 
   zoom(factor: number): void {
@@ -81,9 +95,9 @@ export class SolarCamera {
     this.#scale(1 / factor);
   }
 
-  /** Called once a frame. @param covered what panels of the game cover of the window, CSS pixels */
-  update(seconds: number, insets: Insets, covered: { readonly right: number; readonly bottom: number }): void {
-    if (this.#wanted > 0) this.#scale((this.#wanted / this.distance) ** (1 - Math.exp(-ZOOM_RATE * seconds)));
+  /** Called once a frame. */
+  update(seconds: number, insets: Insets, covered: Covered): void {
+    if (this.#wanted > 0) this.#scale((this.#goal / this.distance) ** (1 - Math.exp(-ZOOM_RATE * seconds)));
     this.#orbit.update(seconds);
     this.#placeWindow(insets, covered);
     this.camera.updateMatrixWorld();
@@ -100,9 +114,11 @@ export class SolarCamera {
   }
 
   /** Centres the picture in what panels leave free. */
-  #placeWindow({ top, right, left }: Insets, covered: { readonly right: number; readonly bottom: number }): void {
+  #placeWindow({ top, right, left }: Insets, covered: Covered): void {
     const { width, height } = this.#viewport;
-    const dx = (Math.max(right, covered.right) - left) / 2;
+    const [atLeft, atRight] = [Math.max(left, covered.left), Math.max(right, covered.right)];
+    this.#freeWidth = Math.max(0.1, 1 - (atLeft + atRight) / width);
+    const dx = (atRight - atLeft) / 2;
     const dy = (covered.bottom - top) / 2;
     const { view } = this.camera;
     if (view?.offsetX === dx && view.offsetY === dy && view.width === width && view.height === height) return;

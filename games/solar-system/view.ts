@@ -61,7 +61,7 @@ export async function openView(context: ViewContext<Settings, SolarGame>, page: 
       hud.update(seconds);
       sounds.update(sim, context.values().sound);
     },
-    fit: () => view.approach(distanceFor(context.sim(), page.follow, view)),
+    fit: () => view.approach(distanceFor(context.sim(), page.follow), page.follow === 'sun'),
     zoom: (factor) => view.zoom(factor),
     toScreen(x, y, z) {
       const seen = view.toScreen(scaled(difference(vector(x, y, z), picture.focus), UNIT));
@@ -116,7 +116,7 @@ function createAttention(
     if (followed !== undefined && followed !== page.follow) {
       view.shift(scaled(difference(before, picture.focus), UNIT));
     }
-    view.approach(distanceFor(sim, page.follow, view), followed === undefined);
+    view.approach(distanceFor(sim, page.follow), page.follow === 'sun', followed === undefined);
     followed = page.follow;
     mission = sim.flight.mission;
     // Sizes on the screen depend on where the camera is now.
@@ -125,12 +125,12 @@ function createAttention(
 }
 
 /** Distance from which a body is seen well, and from the Sun the orbits that matter, millions of km. */
-function distanceFor(sim: SolarGame, name: FollowName, { narrowness }: SolarCamera): number {
+function distanceFor(sim: SolarGame, name: FollowName): number {
   if (name === 'probe') return PROBE_DISTANCE;
   if (name !== 'sun') return RADII_AWAY * UNIT * SOLAR_STATES[name].radius;
   const target = sim.mission?.target ?? 'mars';
   const reach = lengthOf(difference(sim.bodyState(target).position, sim.bodyState('sun').position));
-  return narrowness * Math.max(INNER_PLANETS, ORBIT_AWAY * UNIT * reach);
+  return Math.max(INNER_PLANETS, ORBIT_AWAY * UNIT * reach);
 }
 
 /** Returns the place and drawn radius of a body on the canvas; the result is reused. */

@@ -22,9 +22,12 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 @media (pointer: fine) { .game .game-pad { left: 16px; bottom: 136px; grid: auto-flow 48px / 48px; justify-content: start }
   .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 84px; width: 48px; height: 48px } }
 @media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
-  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px } }
+  .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px }
+  /* What a tool does is said below the tools: the next one may be wanted at once. */
+  .game .game-banner:not([data-kind=error]) { top: 130px } }
 /* Beside the bar, so that the build has the height to itself. */
-@media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 10px } }`;
+@media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 10px }
+  .game .game-banner:not([data-kind=error]) { top: 72px } }`;
 
 /** @param onShare saves the scene to a link @param onHint receives what the chosen tool does */
 export function createPalette(parent: HTMLElement, onShare: () => void, onHint: (text: string) => void): Palette {

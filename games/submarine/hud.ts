@@ -8,8 +8,8 @@ const STYLE = `
 .sub-hud { position: absolute; inset: 0; pointer-events: none; color: #eaf6ff; font: 600 14px/1.35 system-ui, sans-serif;
   text-shadow: 0 1px 3px #001018, 0 0 8px #001018; font-variant-numeric: tabular-nums }
 /* Below the surface, where the ship is not; beside the button of a touch pad. */
-.sub-panel { position: absolute; left: 20px; bottom: 20px; display: grid; gap: 3px; justify-items: start }
-.sub-goal { font-size: 17px } .sub-say { font-size: 13px; color: #ff9d8a; min-height: 19px; max-width: min(460px, 92vw) } .sub-say.tip { color: #e6f4ff }
+.sub-panel { position: absolute; left: 20px; bottom: 20px; display: grid; gap: 3px; justify-items: start; padding: 6px 12px; border-radius: 12px; background: #04182ab0 }
+.sub-goal { font-size: 17px } .sub-say { font-size: 13px; color: #ff9d8a; max-width: min(460px, 92vw) } .sub-say.tip { color: #e6f4ff }
 .sub-depth { font-size: 14px } .sub-gauges { display: grid; grid-template-columns: auto 120px; gap: 3px 10px; align-items: center; font-size: 12.5px }
 .sub-gauges i { height: 8px; border-radius: 4px; background: #ffffff24; position: relative; overflow: hidden }
 .sub-gauges i b { position: absolute; inset: 0; background: var(--c); transform-origin: 0; border-radius: 4px }
@@ -17,11 +17,13 @@ const STYLE = `
 .sub-gauges em { font-style: normal; color: #d5e9f5 }
 @media (max-width: 759px), (max-height: 479px) { .sub-panel { gap: 1px; bottom: 12px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
 @media (pointer: coarse) { .sub-panel { left: 104px } .sub-say { max-width: 38vw } }
+/* Low, so that it leaves the bed in sight. */
+@media (max-height: 479px) { .sub-gauges { grid-template-columns: auto 72px auto 72px } }
 /* A card says how it ended, and the settings cover what lies below them. */
 @media (max-width: 759px), (max-height: 479px) { .sub-hud.over .sub-panel { visibility: hidden } }
 @media (max-width: 759px) { .game:has(.game-side:not([hidden])) .sub-panel { visibility: hidden } }
 /* A window held upright has more sky than the ship is high. */
-@media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px; border-radius: 12px; background: #04182ab8 } .sub-say { max-width: min(460px, 86vw) } }
+@media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px } .sub-say { max-width: min(460px, 86vw) } }
 `;
 
 export interface Hud {

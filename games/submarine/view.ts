@@ -55,12 +55,12 @@ export async function openView(context: ViewContext<Settings, SubmarineGame>): P
       state.turn += 14 * seconds * Math.abs(sim.boat.engine);
       picture.boat.update(x, y, sim.boat.fill, sim.tilt, state.turn);
       picture.echo.update(sim, context.values().floodlight);
-      const { right } = context.insets();
+      const { top, right } = context.insets();
       const width = viewport.width - right;
       camera.pixelsPerMetre = zoom * Math.min(viewport.height / VISIBLE.height, Math.max(width / VISIBLE.width, 3.4));
       const share = 1 - Math.exp(-seconds / FOLLOW_TIME);
       camera.x += share * (x + right / 2 / camera.pixelsPerMetre - camera.x);
-      camera.y += share * (Math.min(y, HIGHEST_VIEW) - camera.y);
+      camera.y += share * (Math.min(y, HIGHEST_VIEW) + top / 2 / camera.pixelsPerMetre - camera.y);
       applyCamera(content, camera, viewport);
       steering.update();
       hud.update(sim);

@@ -26,6 +26,17 @@ async function widthOf(page: Page): Promise<number> {
 }
 
 describe('the cloth', () => {
+  it('keeps its hint while one presses play, until one touches it', async () => {
+    const page = await play('renderer=pixi', { ...windowFor('touch'), reducedMotion: 'reduce' });
+    const hint = page.locator('.game-hint');
+    await page.locator('.game-banner:visible button:visible').tap();
+    await page.locator('.game-bar button[title^=Resume]').tap();
+    expect((await state(page)).paused).toBe(false);
+    expect(await hint.count()).toBe(1);
+    await page.touchscreen.tap(195, 420);
+    expect(await hint.count()).toBe(0);
+  });
+
   it('hangs, and is seen', async () => {
     const page = await play('renderer=pixi&wind=0');
     expect(await broken(page)).toBe(0);

@@ -75,6 +75,17 @@ it.each(MEANS)('counts hits by %s, keeps the best, and begins anew at the floor'
   expect(await page.locator('a[aria-label="All games"]').getAttribute('href')).toBe('../index.html');
 });
 
+it('speaks German where the browser does, and takes that of the address along', async () => {
+  const page = await open('', { prepare: stopTime, locale: 'de-AT' });
+  await start(page);
+  expect(await text(page)).toMatch(/^Tippe auf den Ball.*Leertaste.* Rekord: 0$/);
+  expect(await page.title()).toBe('Halt ihn oben');
+  const asked = await open('lang=de', { prepare: stopTime, hasTouch: true, isMobile: true });
+  await start(asked);
+  expect(await text(asked)).toBe('Tippe auf den Ball – Rekord: 0');
+  expect(await asked.locator('a').getAttribute('href')).toMatch(/index\.html\?lang=de$/);
+});
+
 it('is not won by holding the space bar, and a press too early begins anew', async () => {
   const page = await open('', { prepare: stopTime });
   await start(page);

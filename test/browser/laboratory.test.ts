@@ -451,6 +451,15 @@ describe('the code of an example', () => {
     expect(await consoleOf(page)).toEqual([]);
   });
 
+  it('is closed again by its own button, as on a phone it covers the settings', async () => {
+    const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+    const page = await laboratory.open('example=ch06-orbits&code=on&manual', phone);
+    await page.locator('.lab-code button:text("Close")').tap();
+    expect(await page.locator('.lab-code').isVisible()).toBe(false);
+    expect((await state(page)).values.code).toBe(false);
+    expect(page.url()).not.toContain('code=on');
+  });
+
   it('is stopped where it prints a million lines, in a sentence with its line', async () => {
     const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
     await page.waitForSelector('.lab-code textarea');

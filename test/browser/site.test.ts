@@ -332,15 +332,18 @@ it.each([
   expect(await page.title()).toBe(FRONT_PAGE.de.title);
   const text = (await page.locator('body').innerText()).replaceAll('\n', ' ');
   const written = (html: string) => html.replace(/<[^>]*>/g, '');
-  for (const name of ['title', 'lead', 'surprise', 'game', 'toy', 'lab', 'keys', 'privacy'] as const) {
+  for (const name of ['title', 'lead', 'surprise', 'game', 'toy', 'lab', 'touch', 'privacy'] as const) {
     expect(text).toContain(written(FRONT_PAGE.de[name]));
     if (name !== 'title') expect(text).not.toContain(written(FRONT_PAGE.en[name]));
   }
   expect(await page.locator('input').getAttribute('placeholder')).toBe(FRONT_PAGE.de.search);
-  // The first game is a page of code in English.
-  expect(await page.locator('.games :is(b, span):not([data-de])').allTextContents()).toEqual(['Keep it up']);
+  expect(await page.locator('.games :is(b, span):not([data-de])').count()).toBe(0);
+  expect(text).not.toContain(written(FRONT_PAGE.de.keys));
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  await page.locator('input').fill('Quastenflosser');
+  expect(await page.locator('main').innerText()).toContain(FRONT_PAGE.de.nothing);
   await page.locator('input').fill('Schwarzes Loch');
+  expect(await page.locator('.nothing').isVisible()).toBe(false);
   await page.locator('.games li:visible a').click();
   await page.waitForURL(`**/black-hole/index.html${query}`);
   await page.waitForFunction(() => document.title === 'Schwarzes Loch');

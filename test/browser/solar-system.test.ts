@@ -93,6 +93,19 @@ describe('a mission', () => {
   );
 });
 
+it('shows the planets and the missions beside the lists of a low window, also before it plays', async () => {
+  const page = await open('', { viewport: { width: 844, height: 390 }, hasTouch: true, reducedMotion: 'reduce' });
+  const lists = (await page.locator('.ss-jpl').first().boundingBox()) as { x: number; width: number };
+  await expect
+    .poll(() => page.locator('.ss-label:visible', { hasText: 'Mars' }).boundingBox(), { timeout: 30_000 })
+    .toMatchObject({ x: expect.any(Number) });
+  for (const label of await page.locator('.ss-label:visible').all()) {
+    expect(((await label.boundingBox()) as { x: number }).x).toBeGreaterThan(lists.x + lists.width);
+  }
+  expect(await page.locator('.ss-menu button:visible').count()).toBe(3);
+  expect(await page.locator('.ss-date > span').textContent()).not.toContain('Computing');
+});
+
 it('goes to the date of the address, follows a body by a key, and says what it cannot read', async () => {
   const page = await open('manual#date=2012-06-30&follow=saturn&speed=abc');
   await arrive(page);

@@ -1,5 +1,8 @@
 import { element } from './element.ts';
 
+/** What starts or explains a game, or lies over the hint: whoever presses it has done nothing of what the hint says. */
+const NO_PLAY = '.game-bar, .game-banner, .game-help';
+
 /** A sentence at the foot of the stage that says what to do; it leaves when the player has done something. */
 export function showHint(parent: HTMLElement, text: string): () => void {
   const hint = element('p', 'game-hint', { role: 'status' }, text);
@@ -9,6 +12,8 @@ export function showHint(parent: HTMLElement, text: string): () => void {
     hint.remove();
     stop.abort();
   };
-  for (const type of ['keydown', 'pointerup']) document.addEventListener(type, remove, { signal: stop.signal });
+  const isPlay = ({ target }: Event) => !(target instanceof Element && target.closest(NO_PLAY));
+  for (const type of ['keydown', 'pointerup'])
+    document.addEventListener(type, (event) => isPlay(event) && remove(), { signal: stop.signal });
   return remove;
 }

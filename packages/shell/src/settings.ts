@@ -98,7 +98,8 @@ export function initialValues<S extends Settings>(settings: S): ValuesOf<S> {
  */
 export function checkValue(name: string, setting: Setting, value: unknown): Value {
   const wrong = (wanted: string): never => {
-    throw new Error(words().address.wrong(name, wanted, typeof value === 'string' ? `“${value}”` : String(value)));
+    const was = typeof value === 'string' ? words().address.quoted(value) : String(value);
+    throw new Error(words().address.wrong(name, wanted, was));
   };
   if (setting.kind === 'switch') return typeof value === 'boolean' ? value : wrong(words().address.onOrOff);
   if (setting.kind === 'choice') {
@@ -107,7 +108,7 @@ export function checkValue(name: string, setting: Setting, value: unknown): Valu
   }
   const { min, max, integer, unit } = setting;
   const fits = typeof value === 'number' && value >= min && value <= max && (!integer || Number.isInteger(value));
-  return fits ? value : wrong(words().address.range(integer, min, max, unit));
+  return fits ? value : wrong(min === max ? String(min) : words().address.range(integer, min, max, unit));
 }
 
 /** Parses a value from the address. @throws Error with a sentence that states the allowed values */

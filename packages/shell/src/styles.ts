@@ -41,7 +41,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-card select, .game-card input { border: 0; border-radius: 6px; background: #ffffff14; color: var(--ink); font: inherit;
   font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
 .game-card input { width: 52px } .game-card h2 select { color: var(--dim); font-weight: 600; margin-left: -4px }
-.game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap }
+.game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap } .game-plot-column select { min-width: 0 }
 .game-plot-buttons { display: flex; flex-wrap: wrap; gap: 6px; margin: 4px 0 } .game-plot-buttons button { border: 1px solid var(--line); border-radius: 7px;
   background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px; padding: 1px 7px; cursor: pointer }
 .game-plot-buttons button:focus-visible { outline: 2px solid var(--accent) }
@@ -74,9 +74,9 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   border: 1px solid #ff8b9a66; color: #ffdfe3; box-shadow: 0 12px 40px #0008; user-select: text; z-index: 3 }
 /* Notes lie below the bar, where they cover neither the controls of a game nor its ground. */
 .game-banner:not([data-kind=error]) { bottom: auto; top: calc(max(12px, env(safe-area-inset-top)) + 54px); padding: 7px 8px 7px 16px;
-  background: #18224af2; border-color: #9bb4ff55; color: #dfe7ff }
+  background: #18224a; border-color: #9bb4ff55; color: #dfe7ff }
 .game:has(.game-side:not([hidden])) .game-banner { left: calc(50% - 144px); max-width: min(680px, calc(100% - 320px)) }
-.game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere }
+.game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere; hyphens: auto }
 .game-banner button, .game-help button { flex: none; border: 1px solid #ffffff30; border-radius: 9px; background: #ffffff14;
   color: inherit; font: inherit; padding: 5px 12px; cursor: pointer }
 .game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
@@ -113,7 +113,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   border: 1px solid var(--line); border-radius: 20px; background: #141b36f2; box-shadow: 0 24px 80px #000c; text-align: center;
   z-index: 2 }
 .game-outcome h2 { margin: 0 0 6px; font-size: 26px; letter-spacing: -0.01em }
-.game-outcome p { margin: 0 }
+.game-outcome p { margin: 0 } .game-outcome :is(h2, p) { text-wrap: balance }
 .game-outcome ol { margin: 14px auto 18px; padding: 0; width: max-content; color: var(--dim); text-align: left;
   list-style-position: inside; font-variant-numeric: tabular-nums }
 .game-outcome li b { display: inline-block; min-width: 44px; color: var(--ink); text-align: right }
@@ -159,16 +159,17 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 @media ${NARROW} { .game:has(.game-side:not([hidden])) > .game-timeline { right: 0 } }
-.game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 320px }
+.game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 100% }
 @media (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 344px } }
 @media (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
-  .game-sheet .game-side .lil-gui { --width: 100% } .game-sheet .game-pad { bottom: calc(46% + 12px + var(--foot, 0px)) }
+  .game-sheet .game-pad { bottom: calc(46% + 12px + var(--foot, 0px)) }
   .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
-@media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: max-content 1fr max-content 1fr } }
+@media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: fit-content(150px) 1fr fit-content(150px) 1fr } }
 @media (max-height: 479px) { .game-help { max-height: calc(100dvh - 16px); padding: 12px 26px; line-height: 1.4 } .game-help h2 { margin-bottom: 6px } .game-help footer { bottom: -12px; margin-bottom: -12px; padding-block: 6px 8px } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
+  .game-banner[data-kind=error] { flex-wrap: wrap; justify-content: end } .game-banner[data-kind=error] p { flex-basis: 100% }
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(min-content, 27%) 1fr }
   .game-help footer { bottom: -18px; margin: 0 -18px -18px; padding: 10px 18px 14px } }
 .game[data-reduced-motion] * { transition: none !important; animation: none !important }

@@ -147,6 +147,7 @@ const en = {
     unknown: (name: string, known: string) =>
       `The address names “${name}”, which is not a setting of this game. The settings are ${known}.`,
     wrong: (name: string, wanted: string, was: string) => `${name} must be ${wanted}, but it was ${was}.`,
+    quoted: (text: string) => `“${text}”`,
     on: 'on',
     off: 'off',
     onOrOff: 'on or off',
@@ -299,6 +300,7 @@ const de: Words = {
     unknown: (name, known) =>
       `Die Adresse nennt „${name}“, aber so heißt keine Einstellung dieses Spiels. Es gibt ${known}.`,
     wrong: (name, wanted, was) => `${name} muss ${wanted} sein, war aber ${was}.`,
+    quoted: (text) => `„${text}“`,
     on: 'an',
     off: 'aus',
     onOrOff: 'on oder off',
