@@ -15,7 +15,7 @@ export const HUD_STYLE = `
   padding: 5px 10px; font-size: 13px; cursor: pointer; color-scheme: dark }
 .ss button:hover { background: #2b3766 } .ss :is(button, input, summary):focus-visible { outline: 2px solid #ffc15e; outline-offset: 1px }
 .ss .ss-label:hover { background: #0008; border-radius: 6px }
-.ss-jpl { margin-top: 10px; width: 292px; border: 1px solid #ffffff1c; border-radius: 12px; background: #0b1024b8; padding: 7px 11px }
+.ss-jpl { margin-top: 10px; width: 316px; box-sizing: border-box; border: 1px solid #ffffff1c; border-radius: 12px; background: #0b1024b8; padding: 7px 11px }
 .ss-jpl summary { cursor: pointer; color: #b9c7ee; font-size: 12.5px; font-weight: 600 }
 .ss-jpl table { border-spacing: 0; width: 100%; font-size: 12.5px; margin-top: 4px }
 .ss-jpl td { padding: 0 0 0 8px; text-align: right; line-height: 21px } .ss-jpl td:first-child { padding: 0; text-align: left }
@@ -25,7 +25,7 @@ export const HUD_STYLE = `
 .ss-sky { margin-top: 6px } .ss-sky select { width: 100%; margin: 5px 0 3px; padding: 3px 6px; border: 1px solid #ffffff2e; border-radius: 8px; background: #131a35; font-size: 12.5px }
 .ss-sky button { display: block; width: 100%; border: 0; background: none; padding: 2px; border-radius: 6px; text-align: left; font-size: 12.5px; line-height: 1.35; cursor: pointer }
 .ss-date .ss-sky b { color: #ffd28a; font-size: 12.5px; font-weight: 600; letter-spacing: 0 }
-.ss-jpl[open] { box-sizing: border-box; overflow-y: auto; pointer-events: auto; background: #0b1024ec } .ss-sky[open] { max-height: calc(100vh - 320px); min-height: 110px }
+.ss-jpl[open] { overflow-y: auto; pointer-events: auto; background: #0b1024ec } .ss-sky[open] { max-height: calc(100vh - 320px); min-height: 110px }
 .ss-foot { position: absolute; left: 20px; right: 20px; bottom: max(14px, env(safe-area-inset-bottom)); display: grid; gap: 8px;
   justify-items: center }
 .ss-time { display: grid; grid-template-columns: auto minmax(120px, 460px) auto; gap: 10px; align-items: center; font-size: 12px; color: #a9b8e2 }
@@ -49,7 +49,7 @@ export const HUD_STYLE = `
   .ss-jpl td button { min-height: 30px } .ss-sky :is(button, select) { min-height: 44px } .ss-card .ss-end { min-height: 30px } .ss input[type=range] { height: 44px } }
 @media (max-width: 759px), (max-height: 479px) { .ss-date { left: 12px; top: 66px } .ss-date > span { max-width: 172px } .ss-date b { font-size: 20px } .ss-foot { left: 8px; right: 8px; gap: 5px }
   .game:has(.game-side:not([hidden])) .ss-foot { right: 8px } .ss-hint { font-size: 13px } .ss-card { padding: 8px 10px; gap: 4px }
-  .ss-jpl { width: auto; max-width: 292px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
+  .ss-jpl { width: auto; max-width: 312px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }
 @media (max-width: 699px) { .ss-sky[open] { max-height: calc(100vh - 500px) } }
 @media (max-height: 479px) { .ss-jpl[open] { max-height: calc(100vh - 214px) } }
