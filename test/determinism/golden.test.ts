@@ -44,7 +44,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "291efefafda6c39a",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "0e57f7d12107505a",
+      "spinner": "65d8a449c302ef0c",
       "springs": "2f827429c1ac197b",
       "tumbler": "05c4303a269f296a",
       "washer": "eba0776b8cba08fa",

@@ -1,14 +1,19 @@
 /** Input that is legal but surely not meant gets a warning, once, that says what to do. */
 import {
   boris,
+  box,
   boxWalls,
+  breakSprings,
   createPhysicsWorld,
+  createRope,
   createRunner,
   linearDrag,
   on,
   type PhysicsWorldOptions,
   particleContacts,
+  rigidBodies,
   spawn,
+  springs,
   step,
   uniformGravity,
   type Warning,
@@ -54,6 +59,13 @@ it('names a handler of contacts that is never called, also one that comes later'
   expect(messages()).toMatch(/^a handler of "wallContact" is never called/);
 });
 
+it('sends who waits for contacts of rigid bodies to their lists', () => {
+  const { world, warnings } = listen({ preset: rigidBodies });
+  on(world, 'contact', () => {});
+  step(world, 0.01);
+  expect(warnings[0].hint).toContain('contactEvents(world)');
+});
+
 it('names a coefficient that no force reads, and the force to add', () => {
   const { world, warnings, messages } = listen({ forces: [uniformGravity()] });
   spawn(world, { position: {}, mass: 1, linearDrag: 2 });
@@ -97,6 +109,76 @@ it('recognises milliseconds, and lets a page that was hidden go on', () => {
   createRunner(orbits.world, { dt: 3600 });
   step(orbits.world, 86_400);
   expect(orbits.messages()).toBe('');
+});
+
+it('warns once of frames in milliseconds, although each has another length', () => {
+  const { world, warnings } = listen();
+  const runner = createRunner(world);
+  for (let i = 0; i < 20; i++) runner.advance(16.7 + i / 100);
+  expect(warnings.length).toBe(1);
+});
+
+it('names springs that nothing solves, and springs that cannot break', () => {
+  const { world, messages } = listen({ forces: [uniformGravity()] });
+  const a = spawn(world, { position: {} });
+  const b = spawn(world, { position: { y: -1 }, mass: 1 });
+  spawn(world, { spring: { a, b, stiffness: 10, length: 1, breakForce: 5 } });
+  step(world, 0.01);
+  expect(messages()).toBe(
+    'Spring has no effect, because neither a force nor the integrator of this world solves springs.\n' +
+      'springs with a `breakForce` do not break, because no system of this world breaks springs.',
+  );
+  const { world: torn, warnings } = listen({ forces: [springs()] });
+  torn.phases.finish.push((world) => breakSprings(world));
+  createRope(torn, { from: {}, to: { x: 1 }, nodes: 3, mass: 1, stiffness: 10, breakForce: 5 });
+  step(torn, 0.01);
+  expect(warnings).toEqual([]);
+});
+
+it('tells a world without a handler of its first fault', () => {
+  const { world, warnings, messages } = listen();
+  const body = spawn(world, { position: {}, mass: 1 });
+  for (let i = 0; i < 3; i++) {
+    world.components.Velocity.x[body] = Number.NaN;
+    step(world, 0.01);
+  }
+  expect(messages()).toMatch(/^E_NONFINITE: Velocity.x of entity 1 was NaN/);
+  expect(warnings.length).toBe(1);
+
+  const handled = listen();
+  on(handled.world, 'fault', () => {});
+  const other = spawn(handled.world, { position: {}, mass: 1 });
+  handled.world.components.Velocity.x[other] = Number.NaN;
+  step(handled.world, 0.01);
+  expect(handled.warnings).toEqual([]);
+});
+
+it('says that a box falls through a floor in a world that knows no shapes', () => {
+  const { world, warnings, messages } = listen();
+  spawn(world, { position: { y: -1 }, collider: { shape: box(9, 1) } });
+  step(world, 0.01);
+  expect(warnings).toEqual([]);
+  spawn(world, { position: { y: 1 }, collider: { shape: box(1, 1), density: 1 } });
+  step(world, 0.01);
+  expect(messages()).toBe('body 2 passes through body 1, because no system of this world knows shapes.');
+  expect(warnings[0].hint).toContain('rigidBodies');
+});
+
+it('names a rigid body that friction cannot roll, unless that is said to be meant', () => {
+  const { world, messages } = listen({ preset: rigidBodies });
+  const collider = { radius: 0.5, friction: 1 };
+  spawn(world, { position: {}, mass: 1, inertia: Number.POSITIVE_INFINITY, collider });
+  spawn(world, { position: { x: 2 }, mass: 1, motionLocks: { angle: true }, collider });
+  spawn(world, { position: { x: 4 }, collider: { ...collider, density: 1 } });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  spawn(world, { position: { x: 6 }, mass: 1, collider });
+  spawn(world, { position: { x: 8 }, mass: 1, inertia: 1, collider });
+  step(world, 0.01);
+  expect(messages()).toBe(
+    'body 4 does not turn or roll, because it has no Inertia.\n' +
+      'body 5 does not turn, because it has Inertia and no AngularVelocity.',
+  );
 });
 
 it('reports a handler that rejects, which no step can throw any more', async () => {

@@ -30,9 +30,12 @@ export const Collider = defineComponent({
     /** Speed of the surface along its tangent, m/s, as of a conveyor belt. */
     tangentSpeed: real('m/s', { bounds: { min: -1e6, max: 1e6 } }),
     /** Layers that the body is on, one bit each. */
-    layers: u32('', { initial: 1 }),
+    layers: u32('', { initial: 1, hint: 'Bits are a number without a sign: write `~4 >>> 0` for all layers but 4.' }),
     /** Layers that it collides with, one bit each: two bodies collide where each is on a layer of the other's mask. */
-    mask: u32('', { initial: 0xffffffff }),
+    mask: u32('', {
+      initial: 0xffffffff,
+      hint: 'Bits are a number without a sign: write `~4 >>> 0` for all layers but 4.',
+    }),
     /**
      * Rigid bodies of one group collide with each other always if it is positive, whatever their layers, and never if it is
      * negative. 0 is none.

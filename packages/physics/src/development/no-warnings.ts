@@ -2,5 +2,6 @@
 import type * as warnings from './warnings.ts';
 
 export const printWarning: typeof warnings.printWarning = () => {};
+export const warnAboutFaults: typeof warnings.warnAboutFaults = () => {};
 export const warnAboutDuration: typeof warnings.warnAboutDuration = () => {};
 export const warnAboutWorld: typeof warnings.warnAboutWorld = () => {};

@@ -1,5 +1,6 @@
 // Warnings about valid input that is probably a mistake. Each is given once per world. The export condition
 // `production` replaces this file by `no-warnings.ts`.
+import { hasComponent } from 'bitecs';
 import type { ComponentName } from '../components/all.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, PhysicsWorld, Plan, Warning } from '../world/types.ts';
@@ -15,10 +16,24 @@ const FRAME_MILLISECONDS = { min: 5, max: 50 };
 /** Warns if a duration looks like the milliseconds of a frame. */
 export function warnAboutDuration(world: PhysicsWorld, seconds: number, what: string): void {
   if (seconds < FRAME_MILLISECONDS.min || seconds > FRAME_MILLISECONDS.max) return;
-  warnOnce(world, {
+  const warning = {
     message: `${what} got ${seconds}, which looks like milliseconds; times are in seconds.`,
-    hint: `A frame of ${seconds} ms lasts ${seconds / 1000} s. Set \`world.onWarning\` if the step is meant to be that long.`,
-  });
+    hint: `A frame of ${seconds} ms lasts ${Number((seconds / 1000).toPrecision(6))} s. Set \`world.onWarning\` if the step is meant to be that long.`,
+  };
+  // Frames differ in length, and each would be another message.
+  warnOnce(world, warning, `${what}: milliseconds`);
+}
+
+/** Warns about the first fault of a world that neither handles faults nor throws them: its log is easily overlooked. */
+export function warnAboutFaults(world: PhysicsWorld, isHandled: boolean): void {
+  const [fault] = world.internal.stepFaults;
+  if (fault === undefined || isHandled || world.onFault === 'throw') return;
+  const { code, entity, field, value, hint = '' } = fault;
+  const warning = {
+    message: `${code}: ${field} of entity ${entity} was ${value}, and was dealt with as a fault; \`world.faults\` lists this and all others.`,
+    hint: `${hint} \`on(world, 'fault', handler)\` tells you of each.`.trim(),
+  };
+  warnOnce(world, warning, 'fault');
 }
 
 /**
@@ -30,12 +45,18 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
   for (const event of ignoredEvents) {
     warnOnce(world, {
       message: `a handler of "${event}" is never called, because no system of this world dispatches this event.`,
-      hint: 'Create the world with `preset: particleContacts`.',
+      hint:
+        world.integrator.solvesWalls === true
+          ? 'A world of rigid bodies lists its contacts: contactEvents(world).'
+          : 'Create the world with `preset: particleContacts`.',
     });
   }
   warnAboutUnreadComponents(world);
   warnAboutInertiaTensors(world);
   warnAboutRepeatedForces(world);
+  warnAboutSprings(world);
+  warnAboutShapes(world);
+  warnAboutBodiesThatDoNotTurn(world);
 }
 
 function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
@@ -77,6 +98,68 @@ function warnAboutUnreadComponents(world: PhysicsWorld): void {
       hint: `Add ${factory} to \`forces\`.`,
     });
   }
+}
+
+function warnAboutSprings(world: PhysicsWorld): void {
+  if (world.internal.counts.Spring === 0) return;
+  const isSolved = world.integrator.solvesSprings === true || world.forces.some(({ name }) => name === 'springs');
+  if (!isSolved) {
+    warnOnce(world, {
+      message: 'Spring has no effect, because neither a force nor the integrator of this world solves springs.',
+      hint: 'Add springs() to `forces`, or take the integrator xpbd() for springs of any stiffness.',
+    });
+  }
+  if (world.internal.breaksSprings || firstRow(world, (id) => world.components.Spring.breakForce[id] > 0) === 0) return;
+  warnOnce(world, {
+    message: 'springs with a `breakForce` do not break, because no system of this world breaks springs.',
+    hint: 'Add the system: world.phases.finish.push(breakSprings).',
+  });
+}
+
+/** A box above a floor is meant to land on it. */
+function warnAboutShapes(world: PhysicsWorld): void {
+  if (world.integrator.solvesWalls === true) return;
+  const { Collider, Mass } = world.components;
+  const moving = firstRow(world, (id) => Collider.shape[id] > 0 && Mass.value[id] > 0);
+  const still = moving > 0 ? firstRow(world, (id) => Collider.shape[id] > 0 && !(Mass.value[id] > 0)) : 0;
+  if (still === 0) return;
+  const warning = {
+    message: `body ${moving} passes through body ${still}, because no system of this world knows shapes.`,
+    hint: 'Create the world with `preset: rigidBodies`.',
+  };
+  warnOnce(world, warning, 'shapes');
+}
+
+/** Friction is meant to roll a disc. A body that is meant not to turn says so by `inertia: Infinity` or by `motionLocks`. */
+function warnAboutBodiesThatDoNotTurn(world: PhysicsWorld): void {
+  if (world.integrator.solvesWalls !== true) return;
+  const { Collider, Inertia, Mass, MotionLocks } = world.components;
+  const lacks = (component: object, id: number) => !hasComponent(world, id, component);
+  const isMeantToTurn = (id: number) => Mass.value[id] > 0 && Collider.friction[id] > 0 && MotionLocks.angle[id] === 0;
+  const stiff = firstRow(world, (id) => isMeantToTurn(id) && lacks(Inertia, id));
+  if (stiff > 0) {
+    const warning = {
+      message: `body ${stiff} does not turn or roll, because it has no Inertia.`,
+      hint: 'Give its collider a `density`, or a shape such as circle(0.5), or say `inertia: Infinity` if it is meant not to turn.',
+    };
+    warnOnce(world, warning, 'no Inertia');
+  }
+  const still = firstRow(
+    world,
+    (id) => Inertia.value[id] > 0 && Mass.value[id] > 0 && lacks(world.components.AngularVelocity, id),
+  );
+  if (still === 0) return;
+  const warning = {
+    message: `body ${still} does not turn, because it has Inertia and no AngularVelocity.`,
+    hint: 'Spawn it with `rotation: 0` and `angularVelocity: 0` as well.',
+  };
+  warnOnce(world, warning, 'no AngularVelocity');
+}
+
+/** The first row that has what is asked for, 0 if there is none. */
+function firstRow(world: PhysicsWorld, has: (id: number) => boolean): number {
+  for (let id = 1; id <= world.lastId; id++) if (has(id)) return id;
+  return 0;
 }
 
 function warnAboutInertiaTensors(world: PhysicsWorld): void {

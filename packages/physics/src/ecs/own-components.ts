@@ -53,7 +53,9 @@ export function makeOwnColumns(
 
 /** Registers observers that fill and clear the rows; called once when the world is created. */
 export function observeOwnComponents(world: PhysicsWorld): void {
-  for (const [{ fields }, { columns }] of world.internal.ownComponents) {
+  for (const [component, { columns }] of world.internal.ownComponents) {
+    const { fields } = component;
+    observe(world, onAdd(component), refuseDefinition);
     const write = (eid: number, values: Readonly<Record<string, number>>) =>
       whenIdle(world, () => {
         for (const field of Object.keys(values)) columns[field][eid] = values[field];
@@ -74,6 +76,18 @@ export function observeOwnComponents(world: PhysicsWorld): void {
       ),
     );
   }
+}
+
+/** A definition has no rows: values that are set to it would go nowhere. */
+function refuseDefinition(): never {
+  throw new PhysicsError(
+    'E_TYPE',
+    'the definition of a component was added in place of the columns that a world has for it.',
+    {
+      field: 'components',
+      hint: 'Add its columns: addComponent(world, id, set(columnsOf(world, MyComponent), { … })).',
+    },
+  );
 }
 
 function checkedValues(

@@ -7,6 +7,7 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
+import { rigidBodies } from '../presets/rigid-bodies.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -205,6 +206,15 @@ describe('springs too stiff for the step', () => {
       expect(world.tick).toBe(0);
       step(world, 1e-9);
     }
+  });
+
+  test('a rod is refused with what solves it: not with a step of 1e-16 s', () => {
+    const world = springWorld();
+    pair(world, { stiffness: Infinity, length: 1 });
+    expect(() => step(world, 1 / 60)).toThrow(/is a rod or a string.*xpbd\(\)/);
+    const rigid = createPhysicsWorld({ preset: rigidBodies, capacity: 50, forces: [springs()] });
+    pair(rigid, { stiffness: Infinity, length: 1 });
+    expect(() => step(rigid, 1 / 60)).toThrow(/is a rod or a string.*joints/);
   });
 
   test('just inside the limit the energy stays bounded; just outside it would not', () => {

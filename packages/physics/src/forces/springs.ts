@@ -86,7 +86,9 @@ function assertStable(world: PhysicsWorld, table: SpringTable, dt: number): void
     const inverse = inverseMass(Mass.value[a]) + inverseMass(Mass.value[b]);
     const [stiffness, damping] = [Spring.stiffness[spring] * inverse, Spring.damping[spring] * inverse];
     if (!isStable(stiffness * dt * dt, damping * dt))
-      throw stiffError(spring, Spring.stiffness[spring], stiffness, damping, dt);
+      throw Spring.stiffness[spring] >= ROD
+        ? rodError(world, spring)
+        : stiffError(world, spring, stiffness, damping, dt);
   }
 }
 
@@ -94,19 +96,37 @@ function inverseMass(mass: number): number {
   return mass > 0 ? 1 / mass : 0;
 }
 
+/** The stiffness that stands for infinity in the column. */
+const ROD = 1e30;
+
+function rodError({ integrator, components }: PhysicsWorld, spring: number): PhysicsError {
+  const instead = integrator.solvesWalls === true ? 'joints, such as distance({ … }),' : 'the integrator xpbd()';
+  return new PhysicsError(
+    'E_STIFF',
+    `spring ${spring} is a rod or a string, which no step of ${integrator.name} resolves.`,
+    {
+      entity: spring,
+      field: 'spring.stiffness',
+      value: components.Spring.stiffness[spring],
+      hint: `Use ${instead} or a finite stiffness.`,
+    },
+  );
+}
+
 function stiffError(
+  { integrator, components }: PhysicsWorld,
   spring: number,
-  stiffness: number,
   perMass: number,
   dampingPerMass: number,
   dt: number,
 ): PhysicsError {
   // The root of ω² dt² + 2 γ dt = 4: stable for every built-in integrator.
   const maxStep = 4 / (dampingPerMass + Math.sqrt(dampingPerMass * dampingPerMass + 4 * perMass));
+  const instead = integrator.solvesWalls === true ? 'joints with springs' : 'the integrator xpbd()';
   return new PhysicsError('E_STIFF', `spring ${spring} is too stiff or too strongly damped for steps of ${dt} s.`, {
     entity: spring,
     field: 'spring.stiffness',
-    value: stiffness,
-    hint: `Use steps of at most ${maxStep.toPrecision(2)} s, a softer spring, heavier bodies or the integrator xpbd().`,
+    value: components.Spring.stiffness[spring],
+    hint: `Use steps of at most ${maxStep.toPrecision(2)} s, a softer spring, heavier bodies or ${instead}.`,
   });
 }

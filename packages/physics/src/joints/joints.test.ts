@@ -296,3 +296,21 @@ test('a faulty joint is refused and changes nothing', () => {
     expect(() => createJoint(world, make())).toThrow(expect.objectContaining({ code }));
   expect(world.internal.counts.Joint).toBe(count);
 });
+
+test('a spring of a joint has the stiffness (2π f)² times the reduced mass, and the damping ratio π f h of its sub-steps', () => {
+  const world = rigidWorld({ forces: [] });
+  const free = (x: number, mass: number) =>
+    spawn(world, { position: { x }, mass, neverSleep: {}, collider: { radius: 0.1 } });
+  const [a, b] = [free(0, 3), free(1.1, 1)];
+  const hertz = 1;
+  createJoint(world, distance({ a, b, length: 1, spring: { hertz, dampingRatio: 0 } }));
+  const { Position } = world.components;
+  const extensions: number[] = [];
+  for (let i = 0; i < 120; i++) {
+    step(world, DT);
+    extensions.push(Position.x[b] - Position.x[a] - 1);
+  }
+  const period = 1 / hertz / DT;
+  expect(extensions[period - 1]).toBeCloseTo(0.1 * Math.exp(-2 * Math.PI * (Math.PI * hertz * (DT / 4))), 3);
+  expect(extensions[2 * period - 1]).toBeCloseTo(0.1 * Math.exp(-4 * Math.PI * (Math.PI * hertz * (DT / 4))), 3);
+});

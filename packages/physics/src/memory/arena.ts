@@ -37,16 +37,22 @@ export function createArena(bytes: number, reserved: number): Arena {
 /**
  * Allocates `bytes` zero bytes, 64-byte aligned, and returns their address. The addresses of columns differ modulo
  * 4096, so that loops over a dozen columns do not compete for the same cache sets.
+ * @param hint what to do where there is no room
  * @throws PhysicsError E_CAPACITY if the arena is full
  */
-export function allocate(arena: Arena, bytes: number, what: string): number {
+export function allocate(
+  arena: Arena,
+  bytes: number,
+  what: string,
+  hint = 'Create the world with a larger `arenaBytes`.',
+): number {
   const STAGGER = 320;
   const aligned = Math.ceil(arena.top / 4096) * 4096;
   const address = bytes >= 4096 ? aligned + ((arena.staggered++ * STAGGER) % 4096) : Math.ceil(arena.top / 64) * 64;
   if (address + bytes > arena.bytes) {
     throw new PhysicsError('E_CAPACITY', `the arena of the world has no room for ${what} (${bytes} bytes).`, {
       field: 'arenaBytes',
-      hint: 'Create the world with a larger `arenaBytes`.',
+      hint,
     });
   }
   arena.top = address + bytes;

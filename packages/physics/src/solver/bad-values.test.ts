@@ -111,3 +111,15 @@ test('a world too small for rigid bodies, of three dimensions or with another in
   expect(() => createPhysicsWorld({ preset: rigidBodies, integrator: rungeKutta4 })).toThrow(refused('E_RANGE'));
   expect(() => createPhysicsWorld({ preset: rigidBodies, integrator: softStep({ substeps: 2 }) })).not.toThrow();
 });
+
+test('softStep in a world without the preset is refused with the name of the preset', () => {
+  const world = createPhysicsWorld({ integrator: softStep() });
+  spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });
+  expect(() => step(world, DT)).toThrow(/preset: rigidBodies/);
+});
+
+test('a mask with a sign is refused with how to write it', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies });
+  expect(() => spawn(world, { position: {}, collider: { radius: 1, mask: ~4 } })).toThrow(/~4 >>> 0/);
+  expect(() => spawn(world, { position: {}, collider: { radius: 1, mask: ~4 >>> 0 } })).not.toThrow();
+});

@@ -73,6 +73,36 @@ describe.each(['f32', 'f64'] as const)('a rigid body in %s', (precision) => {
     expect(Math.abs(top - 0.25 * height)).toBeLessThan(0.25 * 2 * speed * DT);
   });
 
+  it('bounces flat where it falls flat, to e² of the height', () => {
+    const world = rigidWorld({ precision });
+    addGround(world, { restitution: 0.5 });
+    const height = 4;
+    const body = spawn(world, { position: { y: height + 0.1 }, collider: { shape: box(4, 0.2), density: 1 } });
+    const { Position, Rotation, Velocity } = world.components;
+    while (Velocity.y[body] <= 0) step(world, DT);
+    let top = 0;
+    while (Velocity.y[body] > 0) {
+      step(world, DT);
+      top = Math.max(top, Position.y[body] - 0.1);
+    }
+    expect(Math.abs(top - 0.25 * height)).toBeLessThan(0.25 * 2 * Math.sqrt(2 * G * height) * DT);
+    expect(Math.abs(Rotation.angle[body])).toBeLessThan(0.01);
+  });
+
+  it('meets another face to face by the law of elastic collision: (m₁ - m₂)/(m₁ + m₂) and 2 m₁/(m₁ + m₂) of the speed', () => {
+    const world = rigidWorld({ precision, forces: [] });
+    const material = { shape: box(1, 1), restitution: 1 };
+    const a = spawn(world, { position: { x: -2 }, velocity: { x: 3 }, collider: { ...material, density: 1 } });
+    const b = spawn(world, { position: { x: 2 }, collider: { ...material, density: 2 } });
+    run(world, 2);
+    const { AngularVelocity, Velocity } = world.components;
+    const digits = precision === 'f64' ? 12 : 5;
+    expect(Velocity.x[a]).toBeCloseTo(-1, digits);
+    expect(Velocity.x[b]).toBeCloseTo(2, digits);
+    expect(AngularVelocity.z[a]).toBeCloseTo(0, digits);
+    expect(AngularVelocity.z[b]).toBeCloseTo(0, digits);
+  });
+
   it('keeps momentum and angular momentum in a free collision', () => {
     const world = rigidWorld({ precision, forces: [] });
     const collider = { shape: box(1, 0.5), density: 2, restitution: 0.7, friction: 0.5 };

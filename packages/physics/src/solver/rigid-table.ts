@@ -17,6 +17,9 @@ import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
+/** The preset asks for the memory, so what lacks it is most often the preset. */
+const NO_ROOM = 'Create the world with `preset: rigidBodies`, or, if it has that, with a larger `arenaBytes`.';
+
 /** Contacts there is room for, by body: a pile of boxes has three each, and pairs that only come near need room too. */
 const CONTACTS_PER_BODY = 6;
 
@@ -100,7 +103,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   const { rows, precision, internal } = world;
   const bytes = realBytes(precision);
   const take = (word: Word, size: number) => {
-    words[word] = allocate(internal.arena, size * rows, 'rigid bodies');
+    words[word] = allocate(internal.arena, size * rows, 'rigid bodies', NO_ROOM);
   };
   take(Word.states, 8 * bytes);
   take(Word.poses, 8 * bytes);
@@ -144,7 +147,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
   const take = (word: Word, size: number) => {
-    words[word] = allocate(arena, size, 'contacts of rigid bodies');
+    words[word] = allocate(arena, size, 'contacts of rigid bodies', NO_ROOM);
   };
   words[Word.contactCapacity] = capacity;
   words[Word.pairCapacity] = capacity;
@@ -168,7 +171,9 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
 /** Makes the list of an event with room for all contacts, and returns its address. */
 function takeEvents({ internal: { arena }, precision }: PhysicsWorld, capacity: number): number {
   const { at, words } = allocateRecord(arena, CONTACT_EVENT_LIST_BYTES, 'contacts of rigid bodies');
-  for (const word of [EventWord.a, EventWord.b]) words[word] = allocate(arena, 4 * capacity, 'events of contacts');
-  for (const word of EVENT_REALS) words[word] = allocate(arena, realBytes(precision) * capacity, 'events of contacts');
+  for (const word of [EventWord.a, EventWord.b])
+    words[word] = allocate(arena, 4 * capacity, 'events of contacts', NO_ROOM);
+  for (const word of EVENT_REALS)
+    words[word] = allocate(arena, realBytes(precision) * capacity, 'events of contacts', NO_ROOM);
   return at;
 }

@@ -203,6 +203,7 @@ function initialInternals(components: Components) {
     templates: new Map(),
     recordsContacts: false,
     ending: false,
+    breaksSprings: false,
     isTrial: false,
     lastId: 0,
     warned: new Set(),

@@ -1,4 +1,4 @@
-import { warnAboutDuration, warnAboutWorld } from '#warnings';
+import { warnAboutDuration, warnAboutFaults, warnAboutWorld } from '#warnings';
 import { prepareForces } from '../dynamics/evaluate-forces.ts';
 import { prepareLoops } from '../dynamics/fused-step.ts';
 import { validateCoefficients } from '../dynamics/validate-coefficients.ts';
@@ -8,7 +8,7 @@ import { assertIdle } from '../ecs/guards.ts';
 import { refreshRanges } from '../ecs/ranges.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { destroyWorld } from './create-world.ts';
-import { ignoredEvents } from './event-handlers.ts';
+import { hasHandlers, ignoredEvents } from './event-handlers.ts';
 import { currentPlan } from './execution-plan.ts';
 import { runPhase } from './run-phase.ts';
 import { clearStepErrors, throwStepErrors } from './step-errors.ts';
@@ -63,6 +63,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   applyDeferredEdits(world);
   world.state = 'idle';
   review(world, plan, dt);
+  warnAboutFaults(world, hasHandlers(world, 'fault'));
   if (world.internal.ending) destroyWorld(world);
   throwStepErrors(world);
 }

@@ -357,9 +357,11 @@ export interface WorldInternals {
   readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
   /** The world is destroyed at the end of this step. */
   ending: boolean;
+  /** Whether `breakSprings` has run. */
+  breaksSprings: boolean;
   /** True while the integrator attempts a state that it may reject: an invalid force is not a fault then. */
   isTrial: boolean;
-  /** The messages of the warnings given so far. */
+  /** The keys of the warnings given so far. */
   readonly warned: Set<string>;
   /** The plan and versions at the last check for warnings. */
   readonly reviewed: { plan: Plan | undefined; membership: number };

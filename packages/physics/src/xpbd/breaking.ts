@@ -29,6 +29,7 @@ export function brokenSprings(world: PhysicsWorld): BrokenSprings {
 /** System of the `finish` phase: `world.phases.finish.push(breakSprings)`. */
 export function breakSprings(world: PhysicsWorld): void {
   const broken = state(world);
+  world.internal.breaksSprings = true;
   if (broken.ids.length > 0) broken.ids.length = 0;
   if (world.internal.counts.Spring === 0) return;
   const table = constraintTable(world);
