@@ -4,7 +4,7 @@ import { chooseWords, decimal, hasCoarsePointer, type Language } from '@principi
 const isTouch = hasCoarsePointer();
 
 /** A date that stays on one line. */
-const unbroken = (day: string) => day.replaceAll('-', '\u2011');
+const unbroken = (day: string) => `${day}`.replaceAll('-', '\u2011');
 
 const en = {
   title: 'Black hole',

@@ -18,6 +18,7 @@ import {
   uniformGravity,
   type Warning,
 } from '@principia/physics';
+import { removeComponent } from 'bitecs';
 import { expect, it } from 'vitest';
 
 /** A world, and the warnings that it has given. */
@@ -172,8 +173,10 @@ it('names a rigid body that friction cannot roll, unless that is said to be mean
   spawn(world, { position: { x: 4 }, collider: { ...collider, density: 1 } });
   step(world, 0.01);
   expect(messages()).toBe('');
-  spawn(world, { position: { x: 6 }, mass: 1, collider });
-  spawn(world, { position: { x: 8 }, mass: 1, inertia: 1, collider });
+  const { AngularVelocity, Inertia } = world.components;
+  const disc = (x: number) => spawn(world, { position: { x }, mass: 1, collider });
+  removeComponent(world, disc(6), Inertia);
+  removeComponent(world, disc(8), AngularVelocity);
   step(world, 0.01);
   expect(messages()).toBe(
     'body 4 does not turn or roll, because it has no Inertia.\n' +

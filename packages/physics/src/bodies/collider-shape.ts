@@ -38,8 +38,7 @@ export interface ResolvedInput<Body> {
  */
 export function resolveShape<Body extends object>(world: PhysicsWorld, body: Body): ResolvedInput<Body> {
   const { collider } = body as Input;
-  if (!isRecord(collider)) return { body, shape: undefined };
-  if (collider.shape === undefined && collider.density === undefined) {
+  if (!isRecord(collider) || (collider.shape === undefined && collider.density === undefined)) {
     return { body: isRigidDisc(world, body) ? turning(body) : body, shape: undefined };
   }
   const { shape: given, density, ...fields } = collider;
@@ -57,16 +56,17 @@ export function resolveShape<Body extends object>(world: PhysicsWorld, body: Bod
   return { body: resolved as Body, shape };
 }
 
-/** Whether a body with a collider and no shape is a disc of rigid bodies, which turns. */
+/** Whether a body without a shape is a disc of rigid bodies, which turns. */
 function isRigidDisc(world: PhysicsWorld, body: object): boolean {
-  return world.dimensions === 2 && isSoftStep(world.integrator) && (body as Input).mass !== undefined;
+  const { mass, collider } = body as Input;
+  return world.dimensions === 2 && isSoftStep(world.integrator) && mass !== undefined && collider !== undefined;
 }
 
 /** A disc with what it needs to turn. Masses and radii may be lists; what is wrong with them is said where they are checked. */
 function turning<Body extends object>(body: Body): Body {
   const { mass, collider } = body as Input;
   const masses = (isRecord(mass) ? mass.value : mass) ?? 1;
-  const radii = (collider as Input).radius ?? 0.5;
+  const radii = (isRecord(collider) ? collider.radius : collider) ?? 0.5;
   const each = (values: unknown, i: number) => (typeof values === 'number' ? values : (values as ArrayLike<number>)[i]);
   const lists = [masses, radii].filter((values) => typeof values !== 'number') as ArrayLike<number>[];
   const inertias = Array.from({ length: lists[0]?.length ?? 1 }, (_, i) => {

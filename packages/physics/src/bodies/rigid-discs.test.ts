@@ -5,6 +5,7 @@ import { G, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
 it.each([
   { mass: 2, collider: { radius: 0.3 } },
+  { mass: 2, collider: 0.3 },
   { mass: { value: 2 }, collider: { radius: 0.3 }, rotation: 1 },
   { collider: { radius: 0.3, density: 2 / (Math.PI * 0.09) } },
 ])('has the inertia m r²/2 and swings about its rim with it: %j', (body) => {

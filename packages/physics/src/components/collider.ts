@@ -1,5 +1,8 @@
 import { defineComponent, flag, real, u32 } from './define.ts';
 
+/** What to do where bits of layers are refused. */
+export const BITS_HINT = 'Bits are a number without a sign: write `~4 >>> 0` for all layers but 4.';
+
 /**
  * Rules by which a coefficient of a contact follows from those of its bodies. `standard` is the geometric mean for friction,
  * and the larger value for restitution.
@@ -30,11 +33,11 @@ export const Collider = defineComponent({
     /** Speed of the surface along its tangent, m/s, as of a conveyor belt. */
     tangentSpeed: real('m/s', { bounds: { min: -1e6, max: 1e6 } }),
     /** Layers that the body is on, one bit each. */
-    layers: u32('', { initial: 1, hint: 'Bits are a number without a sign: write `~4 >>> 0` for all layers but 4.' }),
+    layers: u32('', { initial: 1, hint: BITS_HINT }),
     /** Layers that it collides with, one bit each: two bodies collide where each is on a layer of the other's mask. */
     mask: u32('', {
       initial: 0xffffffff,
-      hint: 'Bits are a number without a sign: write `~4 >>> 0` for all layers but 4.',
+      hint: BITS_HINT,
     }),
     /**
      * Rigid bodies of one group collide with each other always if it is positive, whatever their layers, and never if it is

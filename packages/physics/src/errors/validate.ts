@@ -27,9 +27,9 @@ export function checkNumber(
 }
 
 /** `checkNumber` for an integer; allocates no object, for values that are checked in every step. */
-export function checkWhole(value: unknown, field: string, min: number, max: number): number {
+export function checkWhole(value: unknown, field: string, min: number, max: number, hint?: string): number {
   const isWhole = Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
-  return isWhole ? (value as number) : checkNumber(value, field, { min, max, integer: true });
+  return isWhole ? (value as number) : checkNumber(value, field, { min, max, integer: true }, undefined, hint);
 }
 
 /** Returns the error for an invalid value: "mass must be a number, got an object." */

@@ -53,7 +53,7 @@ function widestGap({ components }: PhysicsWorld, links: readonly number[]): numb
 }
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
-  it.each([100, 300])(
+  it.each([30, 100])(
     'a chain that swings a load of %d links round a peg neither gains energy nor comes apart',
     (load) => {
       const { world, links } = chainAbovePeg(precision, load);

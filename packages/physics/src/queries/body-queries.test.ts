@@ -15,9 +15,11 @@ import {
   polygon,
   rayCast,
   rayCastAll,
+  rigidBodies,
   type Shape,
   segment,
   spawn,
+  spawnCompound,
 } from '../index.ts';
 
 const close = (value: number, digits = 10) => expect.closeTo(value, digits);
@@ -103,11 +105,29 @@ describe('a ray', () => {
 });
 
 describe('a filter', () => {
+  test('leaves out a compound body with all its parts, or one part alone', () => {
+    const world = createPhysicsWorld({ preset: rigidBodies, capacity: 50 });
+    const part = (x: number) => ({ shape: box(1, 1), density: 1, x });
+    const { body, parts } = spawnCompound(world, { position: {}, parts: [part(-2), part(2)] });
+    const other = spawn(world, { position: { x: 4 }, collider: { shape: box(1, 1) } });
+    const seen = (ignore: number) => rayCastAll(world, {}, { x: 9 }, { ignore }).map((hit) => hit.body);
+    expect(seen(body)).toEqual([other]);
+    expect(seen(parts[1])).toEqual([other]);
+    expect(seen(parts[0])).toEqual([parts[1], other]);
+    expect(overlapShape(world, box(20, 1), {}, { ignore: body })).toEqual([other]);
+    expect(nearestPoint(world, {}, { ignore: body })?.body).toBe(other);
+    expect(castShape(world, box(0.1, 0.1), {}, { x: 9 }, { ignore: body })?.body).toBe(other);
+  });
+
   test('leaves out a body, and layers', () => {
     const { world, ids } = worldWith([box(1, 1), 2, 0], [box(1, 1), 4, 0], [box(1, 1), 6, 0]);
     world.components.Collider.layers[ids[1]] = 4;
     const bodies = (filter = {}) => rayCastAll(world, { x: 0 }, { x: 9 }, filter).map(({ body }) => body);
     expect(bodies({ ignore: ids[0] })).toEqual([ids[1], ids[2]]);
+    expect(bodies({ ignore: [ids[0], ids[2]] })).toEqual([ids[1]]);
+    expect(bodies({ ignore: [] })).toEqual(ids);
+    expect(() => bodies({ ignore: [ids[0], -1] })).toThrow(/ignore/);
+    expect(() => bodies({ mask: ~4 })).toThrow(/~4 >>> 0/);
     expect(bodies({ mask: 4 })).toEqual([ids[1]]);
     expect(bodies({ mask: 1 })).toEqual([ids[0], ids[2]]);
     expect(overlapShape(world, box(20, 1), {}, { mask: 4 })).toEqual([ids[1]]);

@@ -3,6 +3,7 @@
 import { rigidKernels } from '../collision/kernels.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { writeShape } from '../collision/shapes/store-shape.ts';
+import { BITS_HINT } from '../components/collider.ts';
 import type { RealColumn } from '../components/define.ts';
 import { bitOf } from '../components/membership.ts';
 import { assertUsable } from '../ecs/guards.ts';
@@ -23,8 +24,8 @@ import { visitWalls, type WallQuery } from './walls.ts';
 export interface QueryFilter {
   /** Layers, one bit each: bodies that are on none of them are left out. Default all. */
   readonly mask?: number;
-  /** A body or a wall that is left out, such as the one that asks. Default none. */
-  readonly ignore?: number;
+  /** A body, with its parts, or a wall that is left out, such as the one that asks; or a list of them. Default none. */
+  readonly ignore?: number | readonly number[];
   /** Whether sensors are seen; default false. */
   readonly sensors?: boolean;
   /** Whether walls are seen: segments, planes and those of `boxWalls`, which are on all layers; default true. */
@@ -112,21 +113,28 @@ export function openQuery(
   filter: QueryFilter,
   shape?: Shape,
 ): RunningQuery {
-  const { mask = 0xffffffff, ignore = 0 } = filter;
+  const { mask = 0xffffffff, ignore = [] } = filter;
   placeParts(world);
   const { at, shapeAt, words, reals } = queryMemory(world);
   const { Rotation, Collider } = world.addresses;
-  const checked = [checkWhole(mask, 'mask', 0, 0xffffffff), checkWhole(ignore, 'ignore', 0, 0xffffffff)];
+  const ignored = checkIds(ignore);
+  const checked = [checkWhole(mask, 'mask', 0, 0xffffffff, BITS_HINT), ignored[0] ?? 0];
   const seesSensors = checkFlag(filter.sensors, 'sensors') ? 1 : 0;
   words.set([BODY, ...checked, world.lastId, Rotation.angle, Collider.layers, Collider.sensor, seesSensors, 0, 0]);
   reals.set([path.x, path.y, cos(path.angle), sin(path.angle), path.dx, path.dy, 1, reach]);
   if (shape !== undefined) writeShape(world, shapeAt, shape);
   const seesWalls = checkFlag(filter.walls ?? true, 'walls');
   const kernels = rigidKernels(world);
-  const query = { world, kernels, at, ignored: ignore, seesWalls, shapeAt, reals, trees: treesOf(world) };
+  const query = { world, kernels, at, ignored, seesWalls, shapeAt, reals, trees: treesOf(world) };
   // Without bounds all bodies are in reach.
   if (query.trees !== 0 && reach !== Infinity) kernels.collectCandidates(at, query.trees);
   return query;
+}
+
+/** @throws PhysicsError E_TYPE, E_RANGE */
+function checkIds(ignore: number | readonly number[]): readonly number[] {
+  const ids = Array.isArray(ignore) ? (ignore as readonly number[]) : [ignore as number];
+  return ids.map((id) => checkWhole(id, 'ignore', 0, 0xffffffff)).filter((id) => id > 0);
 }
 
 /** The hit that the kernel wrote. */
@@ -145,9 +153,21 @@ export function readHit({ reals }: RunningQuery, body: number, isWall: boolean):
 /** How a query finds what it meets, which it then writes into its record. */
 export interface Probe {
   /** The next body from a row on, 0 if there is none. */
-  next(row: number): number;
+  readonly next: (row: number) => number;
   /** Whether it meets the wall that was placed last: 1 or 0. */
   meetsWall(): number;
+}
+
+/** Visits the bodies that a query meets, without the parts of those that it ignores. */
+export function visitBodies(
+  { world, ignored }: RunningQuery,
+  next: (row: number) => number,
+  visit: (row: number) => void,
+): void {
+  const { body } = world.components.Attachment;
+  for (let row = next(1); row > 0; row = next(row + 1)) {
+    if (ignored.length === 0 || !(ignored.includes(row) || ignored.includes(body[row]))) visit(row);
+  }
 }
 
 /** The first of all hits, and of equally early ones that of the smallest id. */
@@ -160,7 +180,7 @@ export function firstHit(query: RunningQuery, probe: Probe): Hit | undefined {
     // What lies behind it need not be computed.
     query.reals[R.limit] = fraction;
   };
-  for (let row = probe.next(1); row > 0; row = probe.next(row + 1)) consider(row, false);
+  visitBodies(query, probe.next, (row) => consider(row, false));
   visitWalls(query, (id) => {
     if (probe.meetsWall() === 1) consider(id, true);
   });
@@ -170,7 +190,7 @@ export function firstHit(query: RunningQuery, probe: Probe): Hit | undefined {
 /** All hits, the earliest first, and of equally early ones that of the smaller id. */
 export function allHits(query: RunningQuery, probe: Probe): Hit[] {
   const hits: Hit[] = [];
-  for (let row = probe.next(1); row > 0; row = probe.next(row + 1)) hits.push(readHit(query, row, false));
+  visitBodies(query, probe.next, (row) => hits.push(readHit(query, row, false)));
   visitWalls(query, (id) => {
     if (probe.meetsWall() === 1) hits.push(readHit(query, id, true));
   });

@@ -10,6 +10,7 @@ import {
   type RunningQuery,
   readHit,
   setReach,
+  visitBodies,
 } from './body-query.ts';
 import { visitWalls } from './walls.ts';
 
@@ -82,7 +83,7 @@ function nearestOf(query: RunningQuery, x: number, y: number): NearestPoint | un
     nearest = { body, isWall, distance, x: isInside ? x : hit.x, y: isInside ? y : hit.y };
     setReach(query, distance);
   };
-  for (let row = next(1); row > 0; row = next(row + 1)) consider(row, false);
+  visitBodies(query, next, (row) => consider(row, false));
   visitWalls(query, (id) => {
     if (kernels.isNearWall(at, shapeAt) === 1) consider(id, true);
   });

@@ -1,7 +1,15 @@
 import { checkShape } from '../bodies/collider-shape.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { assertPlanar, checkFilter, checkPose, openQuery, type PoseInput, type QueryFilter } from './body-query.ts';
+import {
+  assertPlanar,
+  checkFilter,
+  checkPose,
+  openQuery,
+  type PoseInput,
+  type QueryFilter,
+  visitBodies,
+} from './body-query.ts';
 import { visitWalls } from './walls.ts';
 
 /**
@@ -18,7 +26,7 @@ export function overlapShape(world: PhysicsWorld, shape: Shape, pose: PoseInput,
   const { kernels, at, shapeAt } = query;
   const next = (row: number) => kernels.nextNearBody(at, shapeAt, row);
   const ids: number[] = [];
-  for (let row = next(1); row > 0; row = next(row + 1)) ids.push(row);
+  visitBodies(query, next, (row) => ids.push(row));
   const bodyCount = ids.length;
   visitWalls(query, (id) => {
     // Two walls of a box are listed once.

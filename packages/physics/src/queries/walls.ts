@@ -22,8 +22,8 @@ export interface WallQuery {
   readonly world: PhysicsWorld;
   readonly kernels: KernelExports;
   readonly at: number;
-  /** An entity that is left out, 0 for none. */
-  readonly ignored: number;
+  /** Entities that are left out. */
+  readonly ignored: readonly number[];
   readonly seesWalls: boolean;
 }
 
@@ -43,11 +43,11 @@ export function visitWalls(query: WallQuery, visit: (id: number) => void): void 
   const { SegmentWall, PlaneWall } = world.components;
   const { ax, ay, bx, by } = SegmentWall;
   for (const id of idsOf(world, 'SegmentWall')) {
-    if (id !== ignored && kernels.placeSegment(at, ax[id], ay[id], bx[id], by[id]) === 1) visit(id);
+    if (!ignored.includes(id) && kernels.placeSegment(at, ax[id], ay[id], bx[id], by[id]) === 1) visit(id);
   }
   const { nx, ny, offset } = PlaneWall;
   for (const id of idsOf(world, 'PlaneWall')) {
-    if (id !== ignored && kernels.placePlane(at, nx[id], ny[id], offset[id]) === 1) visit(id);
+    if (!ignored.includes(id) && kernels.placePlane(at, nx[id], ny[id], offset[id]) === 1) visit(id);
   }
 }
 
