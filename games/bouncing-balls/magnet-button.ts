@@ -36,5 +36,7 @@ const STYLE = `
   font-family: inherit; touch-action: manipulation; cursor: pointer }
 .magnet-button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
 @media (max-width: 759px), (max-height: 479px) { .game:has(.game-side:not([hidden])) :is(.magnet-button, .tilt-button) { display: none } }
+/* A mouse needs less, and the room in 2D reaches far down. */
+@media (pointer: fine) { .magnet-button, .game:has(.magnet-button) .game-pad [data-name=action] { bottom: 14px; height: 44px; border-radius: 14px } }
 .magnet-button:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 `;

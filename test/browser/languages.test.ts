@@ -147,7 +147,7 @@ const GAMES: readonly (readonly [
   words: Readonly<Record<'en' | 'de', Texts>>,
   seen: readonly string[],
 ])[] = [
-  ['black-hole', BLACK_HOLE, ['Schwarzes Loch', 'Tagesaufgabe', '1 wert · Bonus 0']],
+  ['black-hole', BLACK_HOLE, ['Schwarzes Loch', 'Tagesaufgabe', 'zählt 1 · Bonus 0']],
   ['bouncing-balls', BOUNCING_BALLS, ['Hüpfende Bälle', 'Gießen', 'Schwerkraft, m/s²', 'Erde']],
   ['cloth', CLOTH, ['Ein Tuch zum Zerreißen', 'Bild aufdrucken', 'Reißkraft, N']],
   ['stacking', STACKING, ['Stapeln und umwerfen', 'Kleben', 'Dominosteine', 'Hüllen und Schlaf']],

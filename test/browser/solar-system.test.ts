@@ -96,11 +96,11 @@ describe('a mission', () => {
 it('shows the planets and the missions beside the lists of a low window, also before it plays', async () => {
   const page = await open('', { viewport: { width: 844, height: 390 }, hasTouch: true, reducedMotion: 'reduce' });
   const lists = (await page.locator('.ss-jpl').first().boundingBox()) as { x: number; width: number };
-  await expect
-    .poll(() => page.locator('.ss-label:visible', { hasText: 'Mars' }).boundingBox(), { timeout: 30_000 })
-    .toMatchObject({ x: expect.any(Number) });
-  for (const label of await page.locator('.ss-label:visible').all()) {
-    expect(((await label.boundingBox()) as { x: number }).x).toBeGreaterThan(lists.x + lists.width);
+  // The farther planets may be outside the window.
+  for (const name of ['Sun', 'Earth', 'Mars']) {
+    const label = page.locator('.ss-label:visible', { hasText: name });
+    const left = async () => (await label.boundingBox())?.x ?? 0;
+    await expect.poll(left, { timeout: 30_000 }).toBeGreaterThan(lists.x + lists.width);
   }
   expect(await page.locator('.ss-menu button:visible').count()).toBe(3);
   expect(await page.locator('.ss-date > span').textContent()).not.toContain('Computing');
