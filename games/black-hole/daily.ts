@@ -6,6 +6,9 @@ export function dayOf(now: Date): string {
   return `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
 }
 
+/** The date with hyphens at which no line breaks. */
+export const unbroken = (day: string): string => day.replaceAll('-', '\u2011');
+
 /** The seed of a day: its date as a number, such as 20261123. */
 export function seedOf(day: string): number {
   return Number(day.replaceAll('-', ''));

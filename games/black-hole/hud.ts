@@ -1,6 +1,6 @@
 /** The text and bars drawn over the picture. */
 import { withLanguage } from '@principia/shell';
-import { dayOf, dayOfSeed, seedOf } from './daily.ts';
+import { dayOf, dayOfSeed, seedOf, unbroken } from './daily.ts';
 import type { Comparison } from './ghost.ts';
 import { css, type Palette } from './palette.ts';
 import { type GameEvent, LIVES, TANK } from './rules.ts';
@@ -270,7 +270,7 @@ const READY = new Map<number, Call>();
 function firstCall(seed: number, goal: Palette['goalName']): Call {
   if (first?.seed !== seed || first.goal !== goal) {
     const day = dayOfSeed(seed);
-    const title = day === undefined ? WORDS.title : WORDS.dailyTitle(day);
+    const title = day === undefined ? WORDS.title : WORDS.dailyTitle(unbroken(day));
     first = { seed, goal, call: [title, `${WORDS.goal[goal]} ${WORDS.launch}.`] };
   }
   return first.call;

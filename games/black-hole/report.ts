@@ -1,6 +1,6 @@
 /** The state of the game as text and numbers. */
 import type { Outcome } from '@principia/shell';
-import { dayOfSeed } from './daily.ts';
+import { dayOfSeed, unbroken } from './daily.ts';
 import { headingOf } from './heading.ts';
 import type { BlackHoleGame } from './sim.ts';
 import { WORDS } from './words.ts';
@@ -17,7 +17,7 @@ export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Ou
   if (!isWhole) lines.push(WORDS.notRanked(rules.firstLevel));
   const day = dayOfSeed(seed);
   return {
-    title: day === undefined ? WORDS.over : WORDS.dailyTitle(day),
+    title: day === undefined ? WORDS.over : WORDS.dailyTitle(unbroken(day)),
     score: autopilot || !isWhole ? 0 : score + bonus,
     lines,
     // The number after the seed of a day is that of the next day.

@@ -3,9 +3,6 @@ import { chooseWords, decimal, hasCoarsePointer, type Language } from '@principi
 
 const isTouch = hasCoarsePointer();
 
-/** A date that stays on one line. */
-const unbroken = (day: string) => `${day}`.replaceAll('-', '\u2011');
-
 const en = {
   title: 'Black hole',
   settings: {
@@ -69,7 +66,7 @@ const en = {
   slingshot: 'Slingshot! +1 bonus at the goal',
   empty: 'Out of fuel',
   over: 'Game over',
-  dailyTitle: (day: string) => `Daily challenge ${unbroken(day)}`,
+  dailyTitle: (day: string) => `Daily challenge ${day}`,
   cleared: (levels: number) => `${levels} ${levels === 1 ? 'level' : 'levels'} cleared`,
   slingshots: (count: number) => (count === 1 ? '1 slingshot' : `${count} slingshots`),
   points: (score: number, bonus: number) => `${score} ${score === 1 ? 'point' : 'points'} + ${bonus} bonus`,
@@ -156,7 +153,7 @@ const de: Words = {
   slingshot: 'Swing-by! +1 Bonus im Ziel',
   empty: 'Kein Treibstoff mehr',
   over: 'Spiel vorbei',
-  dailyTitle: (day) => `Tagesaufgabe ${unbroken(day)}`,
+  dailyTitle: (day) => `Tagesaufgabe ${day}`,
   cleared: (levels) => `${levels} ${levels === 1 ? 'Stufe' : 'Stufen'} geschafft`,
   slingshots: (count) => (count === 1 ? '1 Swing-by' : `${count} Swing-bys`),
   points: (score, bonus) => `${score} ${score === 1 ? 'Punkt' : 'Punkte'} + ${bonus} Bonus`,
