@@ -10,7 +10,8 @@ document.title = WORDS.title;
 function outcome({ log, mission }: Flight) {
   if (log.phase === 'flying') return undefined;
   const lines = [reasonOf(log), WORDS.points(log.score)];
-  return { title: WORDS[log.phase], score: log.score, lines, share: WORDS.share(WORDS.missions[mission], log.score) };
+  const title = log.phase === 'landed' && !log.isOnRunway ? WORDS.offRunway : WORDS[log.phase];
+  return { title, score: log.score, lines, share: WORDS.share(WORDS.missions[mission], log.score) };
 }
 
 await startGame({

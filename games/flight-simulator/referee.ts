@@ -190,9 +190,9 @@ function share(value: number, best: number, worst: number): number {
   return Math.min(1, Math.max(0, (worst - value) / (worst - best)));
 }
 
-/** Points for sinking softly, near the centre line, in the first half of the runway. */
+/** Points for sinking softly, near the centre line, in the first half of the runway; off it there are none. */
 export function landingScore(sink: number, x: number, z: number, bounces: number): number {
-  if (!isOnRunway(x, z)) return 50;
+  if (!isOnRunway(x, z)) return 0;
   const soft = 250 * share(sink, SOFT_SINK, HARD_SINK);
   const straight = 100 * share(Math.abs(z), 2, RUNWAY.width / 2);
   const early = 100 * share(Math.abs(x + RUNWAY.length / 2 - 250), 120, 700);
@@ -202,6 +202,6 @@ export function landingScore(sink: number, x: number, z: number, bounces: number
 function land(log: FlightLog, x: number, z: number): void {
   log.phase = 'landed';
   log.isOnRunway = isOnRunway(x, z);
-  log.landingScore = landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces);
+  log.landingScore = log.isOnRunway ? landingScore(log.touchSink, log.touchX, log.touchZ, log.bounces) : 0;
   log.score = RING_SCORE * log.ringsFlown + log.landingScore;
 }
