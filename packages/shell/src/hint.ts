@@ -1,6 +1,6 @@
 import { element } from './element.ts';
 
-/** What starts or explains a game, or lies over the hint: whoever presses it has done nothing of what the hint says. */
+/** Controls around the game: a press on one of them is not yet play, so that the hint stays. */
 const NO_PLAY = '.game-bar, .game-banner, .game-help';
 
 /** A sentence at the foot of the stage that says what to do; it leaves when the player has done something. */

@@ -35,10 +35,7 @@ export const Collider = defineComponent({
     /** Layers that the body is on, one bit each. */
     layers: u32('', { initial: 1, hint: BITS_HINT }),
     /** Layers that it collides with, one bit each: two bodies collide where each is on a layer of the other's mask. */
-    mask: u32('', {
-      initial: 0xffffffff,
-      hint: BITS_HINT,
-    }),
+    mask: u32('', { initial: 0xffffffff, hint: BITS_HINT }),
     /**
      * Rigid bodies of one group collide with each other always if it is positive, whatever their layers, and never if it is
      * negative. 0 is none.

@@ -1,7 +1,7 @@
 // Warnings about valid input that is probably a mistake. Each is given once per world. The export condition
 // `production` replaces this file by `no-warnings.ts`.
-import { hasComponent } from 'bitecs';
 import type { ComponentName } from '../components/all.ts';
+import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, PhysicsWorld, Plan, Warning } from '../world/types.ts';
 
@@ -118,7 +118,7 @@ function warnAboutSprings(world: PhysicsWorld): void {
 
 /** A box above a floor is meant to land on it. */
 function warnAboutShapes(world: PhysicsWorld): void {
-  if (world.integrator.solvesWalls === true) return;
+  if (world.integrator.solvesWalls === true || world.internal.counts.Collider === 0) return;
   const { Collider, Mass } = world.components;
   const moving = firstRow(world, (id) => Collider.shape[id] > 0 && Mass.value[id] > 0);
   const still = moving > 0 ? firstRow(world, (id) => Collider.shape[id] > 0 && !(Mass.value[id] > 0)) : 0;
@@ -134,19 +134,20 @@ function warnAboutShapes(world: PhysicsWorld): void {
 function warnAboutBodiesThatDoNotTurn(world: PhysicsWorld): void {
   if (world.integrator.solvesWalls !== true) return;
   const { Collider, Inertia, Mass, MotionLocks } = world.components;
-  const lacks = (component: object, id: number) => !hasComponent(world, id, component);
+  const { members } = world.internal;
+  const [inertia, turning] = [bitOf('Inertia'), bitOf('AngularVelocity')];
   const isMeantToTurn = (id: number) => Mass.value[id] > 0 && Collider.friction[id] > 0 && MotionLocks.angle[id] === 0;
-  const stiff = firstRow(world, (id) => isMeantToTurn(id) && lacks(Inertia, id));
+  const stiff = firstRow(world, (id) => (members[id] & inertia) === 0 && isMeantToTurn(id));
   if (stiff > 0) {
     const warning = {
       message: `body ${stiff} does not turn or roll, because it has no Inertia.`,
-      hint: 'Give its collider a `density`, or a shape such as circle(0.5), or say `inertia: Infinity` if it is meant not to turn.',
+      hint: 'Spawn it with its mass and its collider, or add the component; `inertia: Infinity` says that it is meant not to turn.',
     };
     warnOnce(world, warning, 'no Inertia');
   }
   const still = firstRow(
     world,
-    (id) => Inertia.value[id] > 0 && Mass.value[id] > 0 && lacks(world.components.AngularVelocity, id),
+    (id) => (members[id] & (inertia | turning)) === inertia && Inertia.value[id] > 0 && Mass.value[id] > 0,
   );
   if (still === 0) return;
   const warning = {
@@ -157,8 +158,8 @@ function warnAboutBodiesThatDoNotTurn(world: PhysicsWorld): void {
 }
 
 /** The first row that has what is asked for, 0 if there is none. */
-function firstRow(world: PhysicsWorld, has: (id: number) => boolean): number {
-  for (let id = 1; id <= world.lastId; id++) if (has(id)) return id;
+function firstRow({ lastId }: PhysicsWorld, has: (id: number) => boolean): number {
+  for (let id = 1; id <= lastId; id++) if (has(id)) return id;
   return 0;
 }
 

@@ -158,7 +158,7 @@ export interface Probe {
   meetsWall(): number;
 }
 
-/** Visits the bodies that a query meets, without the parts of those that it ignores. */
+/** Calls `visit` with each body that a query finds, except those that it ignores and their parts. */
 export function visitBodies(
   { world, ignored }: RunningQuery,
   next: (row: number) => number,

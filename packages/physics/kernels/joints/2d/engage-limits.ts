@@ -11,7 +11,7 @@ import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { JointImpulses, JointTable, impulsesOf } from './joint-table';
+import { JointImpulses, JointTable, impulsesOf, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, speedAlong, stateA, stateB } from './joint-rows';
@@ -28,7 +28,7 @@ const NO_ROOM: f64 = 1e-9;
 
 // Whether the limits of a joint are solved with its tree.
 // @ts-ignore: decorator
-@inline export function hasTreeLimits(t: JointTable, work: JointWork): bool {
+@inline function hasTreeLimits(t: JointTable, work: JointWork): bool {
   return work.hasAxes != 0 && work.parent != LOOP && word(t.hasLimits, work.id) != 0;
 }
 
@@ -87,7 +87,7 @@ export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
   let any = false;
   for (let k = 0; k < t.treeCount; k++) {
     const work = workAt(t, k);
-    if (!hasTreeLimits(t, work) || work.limit == 0 || work.limit == BOTH) continue;
+    if (work.limit == 0 || work.limit == BOTH) continue;
     const impulse = lastLock(impulsesOf(t, work.id), work);
     if (impulse * work.limit >= 0) continue;
     applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, SPRING_ROW), -impulse);
@@ -99,7 +99,7 @@ export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
 
 // Ends a sub-step: what the limit that bore has exerted.
 export function settleLimit(t: JointTable, work: JointWork): void {
-  if (!hasTreeLimits(t, work) || work.limit == 0) return;
+  if (work.limit == 0) return;
   const impulses = impulsesOf(t, work.id);
   const impulse = lastLock(impulses, work);
   impulses.lower = max<f64>(0, impulse);
@@ -111,10 +111,10 @@ function unlock(t: JointTable, work: JointWork): void {
   work.limit = 0;
   work.locks--;
   memory.fill(changetype<usize>(rowOf(work, work.locks)), 0, offsetof<JointRow>());
-  store<f64>(changetype<usize>(impulsesOf(t, work.id)) + ((<usize>work.locks) << 3), 0);
+  store<f64>(lockAddress(impulsesOf(t, work.id), work.locks), 0);
 }
 
 // @ts-ignore: decorator
 @inline function lastLock(impulses: JointImpulses, work: JointWork): f64 {
-  return load<f64>(changetype<usize>(impulses) + ((<usize>(work.locks - 1)) << 3));
+  return load<f64>(lockAddress(impulses, work.locks - 1));
 }

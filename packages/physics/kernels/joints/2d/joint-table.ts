@@ -133,6 +133,12 @@ export const FILTER: u32 = 8;
 
 export const IMPULSES_SIZE: usize = offsetof<JointImpulses>();
 
+// Where the impulse of the i-th locked direction stands.
+// @ts-ignore: decorator
+@inline export function lockAddress(impulses: JointImpulses, i: i32): usize {
+  return changetype<usize>(impulses) + ((<usize>i) << 3);
+}
+
 // @ts-ignore: decorator
 @inline export function impulsesOf(t: JointTable, id: i32): JointImpulses {
   return changetype<JointImpulses>(t.impulses + <usize>id * IMPULSES_SIZE);

@@ -6,7 +6,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { stiffen } from './brace-joints';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
-import { GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
+import { GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf, lockAddress } from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, signOf, workAt } from './joint-work';
 
 // Sums over the rows of a joint: the impulse, N s, and the angular impulse, N m s, on b.
@@ -56,8 +56,7 @@ function sumLocks(work: JointWork, impulses: JointImpulses): void {
   sumY = 0;
   sumTurn = 0;
   const locks = work.kind == MOTOR ? 3 : work.locks;
-  for (let p = 0; p < locks; p++)
-    addImpulse(rowOf(work, p), load<f64>(changetype<usize>(impulses) + ((<usize>p) << 3)));
+  for (let p = 0; p < locks; p++) addImpulse(rowOf(work, p), load<f64>(lockAddress(impulses, p)));
 }
 
 // A row without a direction turns bodies, and another pushes them.
