@@ -1,7 +1,7 @@
 // Runs a fixed-stage scheme if some force is not a law. The scheme is split at each force evaluation: each segment is a
 // loop that moves the bodies to the state of the next evaluation, and stores intermediate values for later segments in
 // scratch columns. The first segment saves the state at the start of the step, from which the later ones continue.
-import type { CompiledLoop, Loop } from '../laws/compile.ts';
+import type { Loop } from '../laws/compile.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { cutScheme, intermediateColumns } from './cut-scheme.ts';
@@ -12,13 +12,12 @@ import { runChecked } from './run-checked.ts';
 import { lastStepOf, schemeMemory } from './scheme-memory.ts';
 import { quarantineBadForces, repairRows } from './validate-state.ts';
 import { WorldColumns } from './world-columns.ts';
-import { makeWorldLoop } from './world-loop.ts';
+import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
 interface SchemeLoops {
-  readonly compiled: readonly CompiledLoop[];
   readonly block: ParameterBlock;
   /** The segments: one more than the evaluations. */
-  readonly segments: readonly Loop[];
+  readonly segments: readonly WorldLoop[];
 }
 
 /** The loops of a world whose integrator has fixed stages and whose forces are not all laws. */
@@ -35,8 +34,8 @@ export const schemeLoops = cachedWithPlan((world): SchemeLoops => {
     scheme.structure,
   ]);
   const variant = JSON.stringify(variantOf(scheme));
-  const loops = sources.map((source, i) => makeWorldLoop(world, `${key} ${i} ${variant}`, () => source));
-  return { block, compiled: loops.map(({ compiled }) => compiled), segments: loops.map(({ run }) => run) };
+  const segments = sources.map((source, i) => makeWorldLoop(world, `${key} ${i} ${variant}`, () => source));
+  return { block, segments };
 });
 
 /** Advances all bodies by one step. */

@@ -37,6 +37,7 @@ function compiledLoops(world: PhysicsWorld, isOneLoop: boolean): readonly Compil
   if (isOneLoop) return [stepLoop(world).compiled];
   const laws = lawLoopOf(world);
   const { scheme, advance } = world.integrator;
-  const segments = scheme === undefined || advance !== undefined ? [] : schemeLoops(world).compiled;
+  const segments =
+    scheme === undefined || advance !== undefined ? [] : schemeLoops(world).segments.map(({ compiled }) => compiled);
   return [...(laws === undefined ? [] : [laws.compiled]), ...segments];
 }

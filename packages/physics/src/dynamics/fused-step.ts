@@ -1,6 +1,6 @@
 // Runs a step as one loop. Where a value is out of range the loop stops, and the bodies there are handled one by one;
 // all others continue unchanged.
-import type { CompiledLoop, Loop } from '../laws/compile.ts';
+import type { Loop } from '../laws/compile.ts';
 import { wordColumn } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
@@ -16,7 +16,7 @@ import type { Box, StepFeatures } from './step-features.ts';
 import { ownersOf, stepLoopSource } from './step-loop.ts';
 import { lawsOf } from './sum-of-laws.ts';
 import { repairRows } from './validate-state.ts';
-import { makeWorldLoop } from './world-loop.ts';
+import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
 /** Walls that the loop can test: a system of the `walls` phase with a box. */
 export interface BoxSystem extends LocalSystem {
@@ -27,9 +27,7 @@ export interface BoxSystem extends LocalSystem {
   bounceListed(world: PhysicsWorld, list: number, dt: number): boolean;
 }
 
-interface StepLoop {
-  readonly compiled: CompiledLoop;
-  readonly run: Loop;
+interface StepLoop extends WorldLoop {
   readonly block: ParameterBlock;
 }
 
@@ -81,7 +79,8 @@ const CHUNK_ROWS = 4096;
 
 /** Advances all bodies by one step. */
 export function runStepLoop(world: PhysicsWorld, ranges: Ranges, dt: number): void {
-  const { run, block } = stepLoop(world);
+  const loop = stepLoop(world);
+  const { block } = loop;
   const { plan, counts, recordsContacts } = world.internal;
   const walls = plan?.fusion?.walls as BoxSystem | undefined;
   if (walls !== undefined) clearWallList(world);
@@ -94,14 +93,14 @@ export function runStepLoop(world: PhysicsWorld, ranges: Ranges, dt: number): vo
     const rows = bounces ? CHUNK_ROWS : end;
     for (let first = ranges.bounds[2 * r]; first < end; first += rows) {
       const last = Math.min(first + rows, end);
-      runChecked(world, run, first, last, dt, stepInvalidVector);
+      runChecked(world, loop, first, last, dt, stepInvalidRows);
       if (bounces && !bounceList(world, walls, dt)) repairRows(world, first, last, 'finish');
     }
   }
 }
 
-/** Handles one vector of bodies with at least one out of range. */
-function stepInvalidVector(world: PhysicsWorld, run: Loop, first: number, last: number, dt: number): void {
+/** Handles the bodies of an iteration with at least one out of range. */
+function stepInvalidRows(world: PhysicsWorld, run: Loop, first: number, last: number, dt: number): void {
   repairRows(world, first, last, 'begin');
   const blamed = faultyLaws(world, first, last, dt);
   run(first, last, 0);

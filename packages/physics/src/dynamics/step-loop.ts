@@ -48,6 +48,7 @@ export function stepLoopSource(
     name: 'step',
     types: { stored: precision, computed: precision },
     stores,
+    vectors: scheme.stages.length > 1 ? 2 : 1,
     ...checksOf(columns, { position, velocity }, result, features),
     noteOf: notesOf(world, block),
   };

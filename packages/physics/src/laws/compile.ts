@@ -12,6 +12,8 @@ export type Loop = (first: number, last: number, checked: number) => number;
 export interface CompiledLoop {
   readonly module: WebAssembly.Module;
   readonly source: ModuleSource;
+  /** Vectors per iteration. */
+  readonly vectors: number;
 }
 
 /** Cache of the process, keyed by structure and layout; the oldest entry is evicted when it is full. */
@@ -22,8 +24,9 @@ const MAX_COMPILED = 256;
 export function compileLoop(key: string, make: () => LoopSource): CompiledLoop {
   const cached = compiled.get(key);
   if (cached !== undefined) return cached;
-  const source = emitLoop(make());
-  const made = { module: compileBytes(encodeModule(source)), source };
+  const loop = make();
+  const source = emitLoop(loop);
+  const made = { module: compileBytes(encodeModule(source)), source, vectors: loop.vectors ?? 1 };
   if (compiled.size >= MAX_COMPILED) compiled.delete(compiled.keys().next().value as string);
   compiled.set(key, made);
   return made;

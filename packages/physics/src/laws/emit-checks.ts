@@ -1,13 +1,30 @@
-// The checks of a loop on the results for one vector of bodies, and the handling of bodies at a wall.
+// The checks of a loop on its results, and the handling of bodies at a wall.
 import type { NodeEmitter } from './emit-nodes.ts';
 import type { LoopSource, WallTest } from './loop-source.ts';
 import type { Node } from './node.ts';
 
 /** The parameters of a loop, `first`, `last` and `checked`, and its own locals. */
-export const LOCALS = { first: 0, last: 1, checked: 2, offset: 3, end: 4, listEnd: 5, total: 6 } as const;
+export const LOCALS = { first: 0, last: 1, checked: 2, offset: 3, end: 4, listEnd: 5, listStart: 6, total: 7 } as const;
+
+/** Checks the vectors of an iteration, with the locals of their results. */
+export function emitChecks(emitter: NodeEmitter, source: LoopSource, results: readonly (readonly number[])[]): void {
+  const { code } = emitter;
+  const { fastCheck, walls } = source;
+  // What an iteration appended to the list is dropped if one of its vectors is out of range.
+  if (walls !== undefined) code.add('local.get', LOCALS.listEnd).add('local.set', LOCALS.listStart);
+  emitter.eachVector((v) => {
+    const isOneOfSeveral = fastCheck !== undefined && results.length > 1;
+    if (isOneOfSeveral) {
+      pushFails(emitter, fastCheck);
+      code.add('if');
+    }
+    emitter.branch(() => checkVector(emitter, source, results[v]));
+    if (isOneOfSeveral) code.add('end');
+  });
+}
 
 /** Keeps resting bodies in place; otherwise returns if a value is out of range, and lists bodies outside. */
-export function emitChecks(emitter: NodeEmitter, source: LoopSource, results: readonly number[]): void {
+function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly number[]): void {
   const { code } = emitter;
   const { walls, stores } = source;
   if (walls?.resting === undefined) {
@@ -33,7 +50,7 @@ function emitFailures(emitter: NodeEmitter, { inRange, walls, types }: LoopSourc
   if (inRange !== undefined) {
     pushFails(emitter, inRange);
     code.add('local.get', LOCALS.checked).add('i32.and').add('if');
-    if (walls !== undefined) storeListEnd(emitter, walls);
+    if (walls !== undefined) storeListEnd(emitter, walls, LOCALS.listStart);
     code
       .add('local.get', LOCALS.offset)
       .add('i32.const', types.stored === 'f32' ? 2 : 3)
@@ -43,31 +60,30 @@ function emitFailures(emitter: NodeEmitter, { inRange, walls, types }: LoopSourc
   }
   if (walls === undefined) return;
   pushFails(emitter, walls.inside);
-  code
-    .add('if')
-    .add('local.get', LOCALS.listEnd)
-    .add('local.get', LOCALS.offset)
-    .memory('i32.store', 0, 'list of bodies at walls');
+  code.add('if').add('local.get', LOCALS.listEnd);
+  emitter.pushOffset();
+  code.memory('i32.store', 0, 'list of bodies at walls');
   code.add('local.get', LOCALS.listEnd).add('i32.const', 4).add('i32.add').add('local.set', LOCALS.listEnd);
-  for (const { address, node } of walls.stores) emitStore(emitter, address, node, 'velocity at the start');
+  for (const { address, node } of walls.stores) {
+    emitter.storeReal(address, emitter.toLocal(node), 'velocity at the start');
+  }
   code.add('end');
 }
 
-function emitStore(emitter: NodeEmitter, address: number, node: Node, note: string | undefined): void {
-  const local = emitter.toLocal(node);
-  emitter.code.add('local.get', LOCALS.offset).add('local.get', local).memory('v128.store', address, note);
+/** Pushes 1 if the condition fails for any body of the vector, otherwise 0. */
+function pushFails(emitter: NodeEmitter, condition: Node): void {
+  emitter.push(condition);
+  pushIsFalse(emitter);
 }
 
-/** Pushes 1 if the condition fails for any body, otherwise 0. */
-export function pushFails(emitter: NodeEmitter, condition: Node): void {
-  const { code, lanes } = emitter;
-  emitter.push(condition);
+/** Replaces a condition on the stack by 1 if it is false in any lane, otherwise 0. */
+export function pushIsFalse({ code, lanes }: NodeEmitter): void {
   code
     .add(lanes === 4 ? 'i32x4.bitmask' : 'i64x2.bitmask')
     .add('i32.const', lanes === 4 ? 15 : 3)
     .add('i32.ne');
 }
 
-export function storeListEnd({ code }: NodeEmitter, { list }: WallTest): void {
-  code.add('i32.const', 0).add('local.get', LOCALS.listEnd).memory('i32.store', list, 'end of the list');
+export function storeListEnd({ code }: NodeEmitter, { list }: WallTest, end: number): void {
+  code.add('i32.const', 0).add('local.get', end).memory('i32.store', list, 'end of the list');
 }

@@ -1,36 +1,31 @@
-// The loop over bodies: computes the results for one vector of bodies, checks them, and stores them.
-import { emitChecks, LOCALS, pushFails, storeListEnd } from './emit-checks.ts';
+// The loop over bodies: computes the results for one or two vectors of bodies, checks them, and stores them.
+import { emitChecks, LOCALS, pushIsFalse, storeListEnd } from './emit-checks.ts';
 import { NodeEmitter } from './emit-nodes.ts';
 import type { ModuleSource } from './encode.ts';
-import type { LoopSource } from './loop-source.ts';
+import type { LoopSource, WallTest } from './loop-source.ts';
 import type { Node, Operation } from './node.ts';
 
 const TWO_ARGUMENTS = new Set<Operation>(['pow', 'atan2']);
 
 /**
  * The function `run(first, last, checked)` over rows [first, last), multiples of 16. If `checked` is not 0 it stops at
- * bodies that are out of range and returns the first row of their vector; otherwise it returns `last`.
+ * bodies that are out of range and returns the first row of that iteration; otherwise it returns `last`.
  */
 export function emitLoop(source: LoopSource): ModuleSource {
-  const { walls, total, types } = source;
+  const { walls, total, types, vectors = 1 } = source;
   const emitter = new NodeEmitter(types, 3, LOCALS.offset, source.noteOf);
-  for (const type of ['i32', 'i32', 'i32', 'v128'] as const) emitter.local(type);
-  const shift = types.stored === 'f32' ? 2 : 3;
+  for (const type of ['i32', 'i32', 'i32', 'i32', 'v128'] as const) emitter.local(type);
+  const shift = shiftOf(types);
   const { code } = emitter;
-  emitter.begin(rootsOf(source));
+  emitter.begin(rootsOf(source), vectors);
   if (walls !== undefined)
     code.add('i32.const', 0).memory('i32.load', walls.list, 'end of the list').add('local.set', LOCALS.listEnd);
   code.add('local.get', LOCALS.first).add('i32.const', shift).add('i32.shl').add('local.set', LOCALS.offset);
   code.add('local.get', LOCALS.last).add('i32.const', shift).add('i32.shl').add('local.set', LOCALS.end);
-  code.add('local.get', LOCALS.offset).add('local.get', LOCALS.end).add('i32.lt_u').add('if').add('loop');
-  emitBodies(emitter, source);
-  code
-    .add('local.get', LOCALS.offset)
-    .add('i32.const', emitter.lanes << shift)
-    .add('i32.add')
-    .add('local.tee', LOCALS.offset);
-  code.add('local.get', LOCALS.end).add('i32.lt_u').add('br_if', 0).add('end').add('end');
-  if (walls !== undefined) storeListEnd(emitter, walls);
+  code.add('local.get', LOCALS.offset).add('local.get', LOCALS.end).add('i32.lt_u').add('if');
+  emitIterations(emitter, source);
+  code.add('end');
+  if (walls !== undefined) storeListEnd(emitter, walls, LOCALS.listEnd);
   if (total === undefined) code.add('local.get', LOCALS.last);
   else for (const lane of [0, 1]) code.add('local.get', LOCALS.total).add('f64x2.extract_lane', lane);
   if (total !== undefined) code.add('f64.add');
@@ -42,6 +37,11 @@ export function emitLoop(source: LoopSource): ModuleSource {
     locals: emitter.locals,
     code,
   };
+}
+
+/** The binary logarithm of the bytes of a stored real. */
+function shiftOf({ stored }: LoopSource['types']): number {
+  return stored === 'f32' ? 2 : 3;
 }
 
 function rootsOf({ stores, inRange, walls, fastCheck, total }: LoopSource): Node[] {
@@ -57,31 +57,79 @@ function parametersOf(name: Operation): ModuleSource['parameters'] {
 }
 
 /**
- * Emits the code for one vector of bodies. Everything is computed before anything is stored, because columns are both
- * read and written.
+ * Emits the iterations. Everything is computed before anything is stored, because columns are both read and written. An
+ * iteration that fails the cheap check leaves the inner loop, so that the inner loop keeps the processor's registers to
+ * itself.
  */
-function emitBodies(emitter: NodeEmitter, source: LoopSource): void {
+function emitIterations(emitter: NodeEmitter, source: LoopSource): void {
   const { code } = emitter;
-  const { stores, fastCheck, total, noteOf } = source;
-  const results = stores.map(({ address, node }) => storeResult(emitter, node, mayRest(source, address)));
+  const { fastCheck } = source;
+  if (fastCheck === undefined) {
+    code.add('loop');
+    const results = emitResults(emitter, source);
+    emitter.branch(() => emitChecks(emitter, source, results));
+    emitStores(emitter, source, results);
+    code.add('br_if', 0).add('end');
+    return;
+  }
+  // The labels: everything, all iterations, an iteration that fails, and the others.
+  code.add('block').add('loop').add('block').add('loop');
+  const results = emitResults(emitter, source);
+  emitter.eachVector((v) => {
+    emitter.push(fastCheck);
+    if (v > 0) code.add('v128.and');
+  });
+  pushIsFalse(emitter);
+  code.add('br_if', 1);
+  emitStores(emitter, source, results);
+  code.add('br_if', 0).add('end').add('br', 2).add('end');
+  const handle = (computed: readonly (readonly number[])[]) => {
+    emitChecks(emitter, source, computed);
+    emitStores(emitter, source, computed);
+  };
+  // One vector is computed again, so that the inner loop need not keep its values for the checks; two are not, which would
+  // take longer.
+  if (results.length === 1) emitter.afresh(() => handle(emitResults(emitter, source)));
+  else emitter.branch(() => handle(results));
+  code.add('br_if', 0).add('end').add('end');
+}
+
+/** Computes the results of the vectors of an iteration, and returns their locals. */
+function emitResults(emitter: NodeEmitter, { stores, fastCheck, total, walls, vectors = 1 }: LoopSource): number[][] {
+  const { code } = emitter;
+  const checked = fastCheck === undefined ? [] : [fastCheck];
+  if (vectors > 1) emitter.interleave([...stores.map(({ node }) => node), ...checked]);
+  const results: number[][] = [];
+  emitter.eachVector((v) => {
+    results[v] = stores.map(({ address, node }) => storeResult(emitter, node, mayRest(walls, address)));
+  });
   if (total !== undefined) {
     code.add('local.get', LOCALS.total);
     emitter.push(total);
     emitter.lane('add');
     code.add('local.set', LOCALS.total);
   }
-  if (fastCheck !== undefined) {
-    pushFails(emitter, fastCheck);
-    code.add('if');
-  }
-  emitter.branch(() => emitChecks(emitter, source, results));
-  if (fastCheck !== undefined) code.add('end');
-  stores.forEach(({ address }, i) => {
-    code.add('local.get', LOCALS.offset).add('local.get', results[i]).memory('v128.store', address, noteOf(address));
-  });
+  return results;
 }
 
-function mayRest({ walls }: LoopSource, address: number): boolean {
+/** Stores the results, and pushes whether an iteration follows. */
+function emitStores(
+  emitter: NodeEmitter,
+  { stores, noteOf, types, vectors = 1 }: LoopSource,
+  results: readonly (readonly number[])[],
+): void {
+  const { code, lanes } = emitter;
+  emitter.eachVector((v) => {
+    stores.forEach(({ address }, i) => {
+      emitter.storeReal(address, results[v][i], noteOf(address));
+    });
+  });
+  const bytes = (vectors * lanes) << shiftOf(types);
+  code.add('local.get', LOCALS.offset).add('i32.const', bytes).add('i32.add').add('local.tee', LOCALS.offset);
+  code.add('local.get', LOCALS.end).add('i32.lt_u');
+}
+
+function mayRest(walls: WallTest | undefined, address: number): boolean {
   return walls?.resting?.stores.some((store) => store.address === address) === true;
 }
 

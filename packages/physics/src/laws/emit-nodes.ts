@@ -13,12 +13,13 @@ export class NodeEmitter extends ColumnEmitter {
   #uses: NodeUses = { nodes: [], counts: new Map(), sums: new Map() };
   /** Locals of uniform nodes, broadcast to all lanes. */
   readonly #spreads = new Map<Node, number>();
-  /** Locals of values for the current bodies. */
-  #vectors = new Map<Node, number>();
+  /** Locals of values for the current bodies, for each vector of an iteration. */
+  #locals: Map<Node, number>[] = [];
 
-  /** Computes uniform values. Called once before the loop, with all roots of the loop. */
-  begin(roots: readonly Node[]): void {
+  /** Computes uniform values. Called once before the loop, with all roots of the loop and the vectors of an iteration. */
+  begin(roots: readonly Node[], vectors: number): void {
     this.#uses = countUses(roots);
+    this.#locals = Array.from({ length: vectors }, () => new Map<Node, number>());
     const { nodes } = this.#uses;
     for (const node of sharedOf(this.#uses)) this.shared.add(node);
     for (const node of nodes) if (this.shared.has(node) && node.scope === undefined) this.#hoist(node, true);
@@ -37,18 +38,51 @@ export class NodeEmitter extends ColumnEmitter {
 
   /** Values computed by `emit` are valid only inside the branch. */
   branch(emit: () => void): void {
-    const [vectors, doubles] = [this.#vectors, this.rowDoubles];
-    this.#vectors = new Map(vectors);
+    const [locals, doubles] = [this.#locals, this.rowDoubles];
+    this.#locals = locals.map((known) => new Map(known));
     this.rowDoubles = new Map(doubles);
     emit();
-    this.#vectors = vectors;
+    this.#locals = locals;
     this.rowDoubles = doubles;
+  }
+
+  /** As `branch`, but values of the current bodies are computed again. */
+  afresh(emit: () => void): void {
+    this.branch(() => {
+      for (const known of this.#locals) known.clear();
+      this.rowDoubles.clear();
+      emit();
+    });
+  }
+
+  /** Emits code for every vector of an iteration, one after the other. */
+  eachVector(emit: (vector: number) => void): void {
+    for (let v = 0; v < this.#locals.length; v++) {
+      this.vector = v;
+      emit(v);
+    }
+    this.vector = 0;
+  }
+
+  /**
+   * Computes values for all vectors of an iteration in turn, operation by operation: while one vector waits for a result,
+   * the processor works on another.
+   */
+  interleave(roots: readonly Node[]): void {
+    const seen = new Set<Node>();
+    const visit = (node: Node) => {
+      if (node.isUniform || node.scope !== undefined || seen.has(node)) return;
+      seen.add(node);
+      node.args.forEach(visit);
+      this.eachVector(() => this.toLocal(node));
+    };
+    roots.forEach(visit);
   }
 
   /** Computes a node into a local and returns the local. */
   toLocal(node: Node): number {
     if (node.isUniform && node.scope === undefined) return this.#spreads.get(node) as number;
-    const cached = this.#vectors.get(node);
+    const cached = this.#known.get(node);
     if (cached !== undefined) return cached;
     this.#compute(node);
     return this.#assign(node);
@@ -58,7 +92,7 @@ export class NodeEmitter extends ColumnEmitter {
   push(node: Node): void {
     const { code } = this;
     const spread = this.#spreads.get(node);
-    const local = spread ?? this.#vectors.get(node);
+    const local = spread ?? this.#known.get(node);
     if (local !== undefined) {
       code.add('local.get', local);
       return;
@@ -67,13 +101,17 @@ export class NodeEmitter extends ColumnEmitter {
     if (this.#isReused(node)) code.add('local.tee', this.#assign(node, false));
   }
 
+  get #known(): Map<Node, number> {
+    return this.#locals[this.vector];
+  }
+
   #isReused(node: Node): boolean {
     return (this.#uses.counts.get(node) ?? 0) > 1;
   }
 
   #assign(node: Node, isSet = true): number {
     const local = this.local('v128');
-    this.#vectors.set(node, local);
+    this.#known.set(node, local);
     if (isSet) this.code.add('local.set', local);
     return local;
   }
@@ -139,6 +177,6 @@ export class NodeEmitter extends ColumnEmitter {
 
   /** Records that a node is in a local. */
   know(node: Node, local: number): void {
-    this.#vectors.set(node, local);
+    this.#known.set(node, local);
   }
 }

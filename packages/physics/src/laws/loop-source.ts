@@ -25,7 +25,9 @@ export interface LoopSource {
   readonly name: string;
   readonly types: LaneTypes;
   readonly stores: readonly Store[];
-  /** If this is false for a body, the loop stops before it stores anything for the vector. */
+  /** Vectors per iteration: one, if omitted. Two of them hide the latency of a long chain of operations. */
+  readonly vectors?: 1 | 2 | undefined;
+  /** If this is false for a body, the loop stops before it stores anything in that iteration. */
   readonly inRange?: Node | undefined;
   readonly walls?: WallTest | undefined;
   /** A cheap sufficient condition for the two above, true for almost all bodies. */

@@ -4,7 +4,7 @@ import type { ModuleSource } from './encode.ts';
 import { type Instruction, opcodeOf } from './instructions.ts';
 
 const PARAMETERS = ['first', 'last', 'checked'];
-const LOCALS = ['offset', 'end', 'listEnd', 'total'];
+const LOCALS = ['offset', 'end', 'listEnd', 'listStart', 'total'];
 
 /** A module as text. */
 export function printModule(source: ModuleSource): string {
