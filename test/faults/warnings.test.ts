@@ -4,13 +4,16 @@ import {
   box,
   boxWalls,
   breakSprings,
+  createJoint,
   createPhysicsWorld,
   createRope,
   createRunner,
+  distance,
   linearDrag,
   on,
   type PhysicsWorldOptions,
   particleContacts,
+  revolute,
   rigidBodies,
   spawn,
   springs,
@@ -193,4 +196,20 @@ it('reports a handler that rejects, which no step can throw any more', async () 
   step(world, 0.01);
   await Promise.resolve();
   expect(messages()).toBe('an asynchronous handler of "contact" was rejected: Error: too late');
+});
+
+it('says when a joint is made beyond its limits, once for each kind', () => {
+  const { world, warnings, messages } = listen({ preset: rigidBodies });
+  const post = spawn(world, { position: {}, collider: { shape: box(1, 1) } });
+  const far = () => spawn(world, { position: { x: 5 }, collider: { shape: box(1, 1), density: 1 } });
+  createJoint(world, distance({ a: post, b: far(), limits: { upper: 5.04 } }));
+  createJoint(world, revolute({ a: post, b: far(), anchor: { x: 5 }, limits: { lower: 0, upper: 1 } }));
+  expect(warnings).toEqual([]);
+  for (let i = 0; i < 2; i++) createJoint(world, distance({ a: post, b: far(), limits: { upper: 3 } }));
+  createJoint(world, revolute({ a: post, b: far(), anchor: { x: 5 }, limits: { lower: 0.5, upper: 1 } }));
+  expect(messages()).toBe(
+    'a distance joint was made beyond its limits: its anchors are 5 m apart, more than its upper limit, 3. It is pulled there at once.\n' +
+      'a revolute joint was made beyond its limits: its coordinate is 0, less than its lower limit, 0.5. It is pulled there at once.',
+  );
+  expect(warnings[1].hint).toContain('let the limits include 0');
 });

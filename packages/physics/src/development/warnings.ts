@@ -1,6 +1,7 @@
 // Warnings about valid input that is probably a mistake. Each is given once per world. The export condition
 // `production` replaces this file by `no-warnings.ts`.
 import type { ComponentName } from '../components/all.ts';
+import { JOINT_KINDS } from '../components/joint.ts';
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, PhysicsWorld, Plan, Warning } from '../world/types.ts';
@@ -34,6 +35,28 @@ export function warnAboutFaults(world: PhysicsWorld, isHandled: boolean): void {
     hint: `${hint} \`on(world, 'fault', handler)\` tells you of each.`.trim(),
   };
   warnOnce(world, warning, 'fault');
+}
+
+/** A joint may begin this far beyond its limits, m or rad: inaccuracy of the author's. */
+const LIMIT_TOLERANCE = 0.05;
+
+/** Warns if a new joint begins beyond its limits: the solver pulls it there at once, and the bodies keep the speed. */
+export function warnAboutLimits(world: PhysicsWorld, joint: Readonly<Record<string, number>>): void {
+  if (joint.hasLimits !== 1) return;
+  const kind = JOINT_KINDS[joint.kind];
+  const isDistance = kind === 'distance';
+  const now = isDistance ? joint.length : 0;
+  const isBelow = now < joint.lower - LIMIT_TOLERANCE;
+  if (!isBelow && now <= joint.upper + LIMIT_TOLERANCE) return;
+  const limit = isBelow ? `less than its lower limit, ${joint.lower}` : `more than its upper limit, ${joint.upper}`;
+  const place = isDistance ? `anchors are ${Number(now.toPrecision(3))} m apart` : 'coordinate is 0';
+  const warning = {
+    message: `a ${kind} joint was made beyond its limits: its ${place}, ${limit}. It is pulled there at once.`,
+    hint: isDistance
+      ? 'Put the bodies where the limits hold before you join them.'
+      : 'The coordinate of a joint is 0 as its bodies are when it is made: let the limits include 0.',
+  };
+  warnOnce(world, warning, `limits of a ${kind} joint`);
 }
 
 /**

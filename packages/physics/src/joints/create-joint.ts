@@ -1,4 +1,5 @@
 // Joints as entities. What a joint does is in kernels/joints/2d.
+import { warnAboutLimits } from '#warnings';
 import { bodyOf } from '../bodies/parts.ts';
 import { despawn, spawn } from '../bodies/spawn.ts';
 import { JOINT_KINDS } from '../components/joint.ts';
@@ -41,7 +42,10 @@ export function createJoint(world: PhysicsWorld, joint: JointInput): number {
   placeParts(world);
   const a = joint.a === 0 ? 0 : bodyOf(world, joint.a);
   const b = bodyOf(world, joint.b);
-  return spawn(world, { joint: valuesOf(world, joint, a, b) });
+  const values = valuesOf(world, joint, a, b);
+  const id = spawn(world, { joint: values });
+  warnAboutLimits(world, values);
+  return id;
 }
 
 /** @param a body, or 0 for the world @param b body; `joint` names these, or parts of theirs */
