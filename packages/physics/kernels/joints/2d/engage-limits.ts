@@ -2,7 +2,8 @@
 // would know the masses of its two bodies and not what hangs on them: it would answer too weakly and too late, and so drive
 // what it should stop.
 //
-//   engage    what would be passed within the sub-step, and what bears already
+//   expect    what would be passed within the sub-step, with the impulses of the last one
+//   engage    what would be passed without them too, and what bears already
 //   release   what would have to pull
 //
 // Source of the method, an active set: Nocedal and Wright, Numerical Optimization, section 16.5; here of one exchange in each
@@ -21,6 +22,10 @@ const LOWER: i32 = 1;
 const UPPER: i32 = -1;
 const BOTH: i32 = 2;
 
+// Before it is decided: which limits the speeds pass.
+const PASSES_LOWER: i32 = 1;
+const PASSES_UPPER: i32 = 2;
+
 // What bears goes on to do so this near to its limit, m or rad, as long as it needs to push: what rests on it does not tremble.
 const SLOP: f64 = 0.005;
 // Limits closer to each other leave no room, m or rad.
@@ -32,25 +37,43 @@ const NO_ROOM: f64 = 1e-9;
   return work.hasAxes != 0 && work.parent != LOOP && word(t.hasLimits, work.id) != 0;
 }
 
+// Notes which limits of a joint would be passed at the speeds with the impulses of the last sub-step. Those know the load of a
+// joint, but a blow seems to go on in them; the speeds without them know that it is over, but nothing bears a load in them.
+// A limit is passed where both say so.
+export function expectLimits(t: JointTable, rigid: RigidTable, k: i32): void {
+  const work = workAt(t, k);
+  if (hasTreeLimits(t, work)) work.limit = passed(t, rigid, work);
+}
+
+// Which limits of a joint its present speed passes within the sub-step.
+function passed(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
+  const row = rowOf(work, SPRING_ROW);
+  const then = row.error + rigid.h * speedAlong(stateA(rigid, work), stateB(rigid, work), row);
+  return (
+    (then < <f64>get(t.lower, work.id) ? PASSES_LOWER : 0) | (then > <f64>get(t.upper, work.id) ? PASSES_UPPER : 0)
+  );
+}
+
 // Decides which limit of a joint bears, and makes it the last of its locked directions.
 export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   if (!hasTreeLimits(t, work)) return;
+  const passes = work.limit & passed(t, rigid, work);
+  work.limit = 0;
   const row = rowOf(work, SPRING_ROW);
   const low = row.error - <f64>get(t.lower, work.id);
   const high = <f64>get(t.upper, work.id) - row.error;
-  const step = rigid.h * speedAlong(stateA(rigid, work), stateB(rigid, work), row);
   const impulses = impulsesOf(t, work.id);
-  const passesLower = low + step < 0;
-  const passesUpper = high - step < 0;
-  const lower = passesLower || (impulses.lower > 0 && low < SLOP);
-  const upper = passesUpper || (impulses.upper > 0 && high < SLOP);
+  const lower = (passes & PASSES_LOWER) != 0 || (impulses.lower > 0 && low < SLOP);
+  const upper = (passes & PASSES_UPPER) != 0 || (impulses.upper > 0 && high < SLOP);
+  impulses.lower = 0;
+  impulses.upper = 0;
   if (low + high < NO_ROOM) {
     lock(work, row, BOTH, low);
   } else if (lower && (!upper || low < high)) {
-    lock(work, row, LOWER, errorOf(low, passesLower, rigid.h));
+    lock(work, row, LOWER, errorOf(low, (passes & PASSES_LOWER) != 0, rigid.h));
   } else if (upper) {
-    lock(work, row, UPPER, -errorOf(high, passesUpper, rigid.h));
+    lock(work, row, UPPER, -errorOf(high, (passes & PASSES_UPPER) != 0, rigid.h));
   }
 }
 
@@ -78,8 +101,6 @@ export function takeBackLimits(t: JointTable, rigid: RigidTable, k: i32): void {
   const impulses = impulsesOf(t, work.id);
   const row = rowOf(work, SPRING_ROW);
   applyAlong(work, stateA(rigid, work), stateB(rigid, work), row, impulses.upper - impulses.lower);
-  impulses.lower = 0;
-  impulses.upper = 0;
 }
 
 // Lets the limits of all joints go that would have to pull. Returns whether there are any.
