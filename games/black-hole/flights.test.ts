@@ -2,23 +2,27 @@ import { step } from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
 import { calm, fall, play, run, ship } from './game-lab.ts';
 import { pushOf } from './heading.ts';
+import { opensToOneKey } from './one-key-flight.ts';
 import { BREATH } from './rules.ts';
 import { IDLE_SECONDS } from './sim.ts';
-import { opensStraightUp } from './straight-flight.ts';
 
-test('who just holds the up key never clears a level, in Newtonian and in relativistic gravity', () => {
-  for (const steep of [false, true]) {
-    for (let seed = 1; seed <= 60; seed++) {
-      const game = play(seed, { steep });
-      expect(opensStraightUp(game.scene.holes, steep)).toBe(false);
-      const end = () => game.rules.events.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
-      game.press('up');
-      // Unobstructed it takes 10 s.
-      while (end() === undefined && game.world.time < 100) step(game.world, game.dt);
-      expect(end()?.kind, `seed ${seed}`).toMatch(/fall|left/);
+test.each(['up', 'left', 'down', 'right'] as const)(
+  'who just holds %s never clears a level, in Newtonian and in relativistic gravity',
+  (key) => {
+    for (const steep of [false, true]) {
+      for (let seed = 1; seed <= 60; seed++) {
+        const game = play(seed, { steep });
+        expect(opensToOneKey(game.scene.holes, steep)).toBe(false);
+        const end = () => game.rules.events.find(({ kind }) => kind === 'goal' || kind === 'fall' || kind === 'left');
+        game.press(key);
+        // Unobstructed a climb takes 10 s.
+        while (end() === undefined && game.world.time < 100) step(game.world, game.dt);
+        expect(end()?.kind, `seed ${seed}`).toMatch(/fall|left/);
+      }
     }
-  }
-}, 60_000);
+  },
+  60_000,
+);
 
 describe('the breath between two flights', () => {
   it('keeps the ship where it ended with its engine off, and waits for a new input', () => {

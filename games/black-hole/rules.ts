@@ -13,7 +13,7 @@ import { keepState, markImmutable } from '@principia/physics';
 import { BLACK_HOLE, type BlackHole } from '@principia/scenes';
 import { FlightRecord } from './flight-record.ts';
 import { type Push, thrustOf } from './heading.ts';
-import { opensStraightUp } from './straight-flight.ts';
+import { opensToOneKey } from './one-key-flight.ts';
 
 export const LIVES = 3;
 /** Change of velocity of a full tank, m/s; a climb without holes takes 100. */
@@ -253,7 +253,7 @@ export class Rules {
   #newHoles(isNewLevel: boolean): void {
     if (isNewLevel) this.redraws = 0;
     const scene = this.#scene;
-    scene.redraw(this.level, this.movingHoles, (holes) => !opensStraightUp(holes, scene.isSteep));
+    scene.redraw(this.level, this.movingHoles, (holes) => !opensToOneKey(holes, scene.isSteep));
   }
 
   /** Prepares a ship at the start. */
