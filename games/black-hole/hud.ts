@@ -24,7 +24,7 @@ const STYLE = `
 .bh-speed { right: 14px; bottom: 10px; color: #9fb0dc; font-weight: 500; font-size: 13px }
 .bh-call { left: 50%; top: 64%; translate: -50% 0; text-align: center; width: max-content; max-width: 92% }
 .bh-call.low { top: auto; bottom: 10px; font-size: 13px }
-.bh-call h2 { margin: 0; font-size: clamp(26px, 5vw, 46px); letter-spacing: -0.02em } .bh-call p { margin: 4px 0 0; color: #c4d2f6 }
+.bh-call h2 { margin: 0; font-size: clamp(26px, 5vw, 46px); letter-spacing: -0.02em } .bh-call p { margin: 4px 0 0; color: #c4d2f6; text-wrap: balance }
 
 /* Beside the ship's start, around which players press to steer. */
 .bh-redraw { right: 14px; bottom: 40px } .bh-daily { right: 14px; bottom: 84px; text-decoration: none }
@@ -32,7 +32,7 @@ const STYLE = `
   color: inherit; font: inherit; font-size: 13px; cursor: pointer; pointer-events: auto }
 :is(.bh-redraw, .bh-daily):hover { background: #ffffff2c } :is(.bh-redraw, .bh-daily):focus-visible { outline: 2px solid var(--ship) }
 @media (pointer: coarse) { .bh-redraw, .bh-daily { min-height: 44px; box-sizing: border-box; display: grid; place-items: center } .bh-daily { bottom: 92px } }
-.bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; width: max-content; max-width: 92%; text-align: center; opacity: 0 }
+.bh-toast { left: 50%; top: 15%; translate: -50% 0; font-size: 22px; width: max-content; max-width: 92%; text-align: center; text-wrap: balance; opacity: 0 }
 .bh-toast.on { opacity: 1; animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
 @media (pointer: coarse) and (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 14px); bottom: 76px; white-space: nowrap } .bh-daily { bottom: 128px } }
@@ -305,5 +305,6 @@ function toastOf({ kind, points }: GameEvent, { rules, dt }: BlackHoleGame, comp
 
 /** @param seconds how much sooner than the ghost; negative if later */
 function comparisonText(seconds: number): string {
+  if (seconds === 0) return WORDS.asFast;
   return seconds > 0 ? WORDS.sooner(seconds) : WORDS.later(Math.abs(seconds));
 }

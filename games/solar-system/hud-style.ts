@@ -41,7 +41,7 @@ export const HUD_STYLE = `
 .ss-slide .ss-number { width: 100%; box-sizing: border-box; border: 1px solid #ffffff24; border-radius: 8px; background: #ffffff10; padding: 2px 5px; text-align: right }
 .ss-menu { display: flex; gap: 8px; flex-wrap: wrap; justify-content: center }
 .ss-menu button { border: 1px solid #ffc15e66; border-radius: 999px; background: #1c2038d9; padding: 7px 16px; font-weight: 650; cursor: pointer }
-.ss-hint { margin: 0; flex-basis: 100%; text-align: center; font-size: 14px; color: #cfdaf8 }
+.ss-hint { margin: 0; flex-basis: 100%; text-align: center; text-wrap: balance; font-size: 14px; color: #cfdaf8 }
 .game:has(.game-side:not([hidden])) .ss-foot { right: 296px }
 @media (min-width: 760px) and (min-height: 480px) { .ss-slides { display: grid; grid-template-columns: 1fr 1fr 1fr; gap: 18px }
   .ss-slide { grid-template-columns: 1fr 78px; gap: 2px } .ss-slide input[type=range] { grid-row: 2; grid-column: 1 / 3 } }

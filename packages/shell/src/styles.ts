@@ -127,7 +127,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-outcome > :is(h2, div) { grid-column: 1 / 4; max-width: 420px; justify-self: center } .game-outcome > ol { grid-area: 1 / 4 / 3; margin: 0 0 0 24px }
   .game-outcome > button { margin: 12px 4px 0 } .game-outcome:has(> ol:empty) { display: block } .game-outcome > ol:empty { display: none } }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: calc(max(14px, env(safe-area-inset-bottom)) + var(--foot, 0px)); margin: 0; pointer-events: none;
-  text-align: center; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
+  text-align: center; text-wrap: balance; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
 /* A window on its side has no room above the picture, but some between the buttons at the corners. */
 @media (pointer: coarse) and (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } }
