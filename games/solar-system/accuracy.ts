@@ -43,11 +43,12 @@ export function createAccuracy(parent: HTMLElement, page: Page): Accuracy {
       for (const [i, row] of rows.entries()) {
         row.row.classList.toggle('on', page.follow === row.name);
         const error = sim.errors[i];
-        const text = Number.isNaN(error) ? '' : distanceText(error);
+        // The Sun is where they are measured from; of the outer planets fewer positions are stored.
+        const text = row.name === 'sun' ? '' : Number.isNaN(error) ? '–' : distanceText(error);
         if (text === row.text) continue;
         row.text = text;
         row.error.textContent = text;
-        row.share.textContent = text === '' ? '' : shareText(error / distanceOf(sim, row.name));
+        row.share.textContent = Number.isNaN(error) ? '' : shareText(error / distanceOf(sim, row.name));
       }
       const last = Math.max(0, ...sim.errorDates);
       const text = last === 0 ? WORDS.noReference : WORDS.errorsOn(dayText(last));
