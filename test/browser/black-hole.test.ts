@@ -196,7 +196,7 @@ describe('the ghost', () => {
     await page.keyboard.press('c');
     await page.keyboard.press('r');
     await win(page);
-    expect(await page.locator('.bh-toast').textContent()).toContain('0.00 s behind your ghost');
+    expect(await page.locator('.bh-toast').textContent()).toContain('as fast as your ghost');
   });
 
   it.each(['full', 'absent'])('lasts as long as the page where the storage is %s', async (kind) => {
