@@ -190,6 +190,8 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
   }
   contact.flags |= TOUCHING;
   moveAnchors(t, contact);
+  // Each step, because friction or the speed of a belt may be changed while the points are kept.
+  mixMaterials(t, contact);
   return ((flagsA & DYNAMIC) == 0) != ((flagsB & DYNAMIC) == 0);
 }
 
@@ -246,7 +248,6 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.dy = m.by;
   contact.flags |= FOUND;
   takePoints(t, contact, m);
-  if (contact.count > 0) mixMaterials(t, contact);
 }
 
 // Bodies whose centres are nearer, in parts of the least extent, lie in one place.
