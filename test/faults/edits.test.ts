@@ -11,6 +11,7 @@ import {
   type PhysicsWorld,
   particleContacts,
   pin,
+  resolve,
   spawn,
   step,
   wallContacts,
@@ -321,6 +322,25 @@ describe('what games do in handlers', () => {
     step(world, DT);
     expect(alive).toEqual([true, false]);
     expect([isBody(world, bullet), bodies(world).count]).toEqual([false, 2]);
+  });
+
+  it('a body that is made in a step is one when the step has ended, and whoever asks before is told so', () => {
+    const world = createPhysicsWorld({ capacity: 10 });
+    const made: number[] = [];
+    const refusals: unknown[] = [];
+    world.phases.input.push(() => {
+      if (made.length > 0) return;
+      made.push(spawn(world, { position: { x: 3 }, velocity: {}, mass: 1 }));
+      try {
+        entityRef(world, made[0]);
+      } catch (error) {
+        refusals.push(error);
+      }
+    });
+    step(world, DT);
+    expect(refusals).toEqual([expect.objectContaining({ code: 'E_STALE', value: made[0] })]);
+    expect(String(refusals[0])).toMatch(/was made in this step.*Pass its values to `spawn`/s);
+    expect(resolve(world, entityRef(world, made[0]))).toBe(made[0]);
   });
 
   it('an index into the wall contacts is given to handlers of wallContact', () => {

@@ -1,4 +1,16 @@
-import { createRunner, destroyWorld, type PhysicsWorld, stateHash, step } from '@principia/physics';
+import {
+  box,
+  contactEvents,
+  createPhysicsWorld,
+  createRunner,
+  destroyWorld,
+  type PhysicsWorld,
+  rigidBodies,
+  spawn,
+  stateHash,
+  step,
+  uniformGravity,
+} from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import {
   assertRefused,
@@ -130,10 +142,35 @@ describe('time', () => {
     [{ dt: NaN }, 'E_NONFINITE'],
     [{ dt: '1' }, 'E_TYPE'],
     [{ dt: 1, maxFrame: 0.5 }, 'E_RANGE'],
+    [{ afterStep: 1 }, 'E_TYPE'],
     [{ step: 1 }, 'E_UNKNOWN'],
     [null, 'E_TYPE'],
   ])('a runner with options %o is refused with %s', (options, code) => {
     expect(refusal(() => createRunner(bouncing(), options as never)).code).toBe(code);
+  });
+
+  // A frame of 1/30 s has two steps, and every fourth of 1/240 s has one.
+  it.each([1 / 30, 1 / 60, 1 / 240])('in frames of %f s each event of a step is read once', (frame) => {
+    const fall = () => {
+      const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 20 });
+      spawn(world, { position: { y: -1 }, collider: { shape: box(50, 2) } });
+      for (let i = 0; i < 8; i++) {
+        const collider = { radius: 0.2, density: 1, restitution: 0.8 };
+        spawn(world, { position: { x: i, y: 1 + i / 4 }, velocity: {}, rotation: 0, angularVelocity: 0, collider });
+      }
+      return world;
+    };
+    let expected = 0;
+    const stepped = fall();
+    for (let i = 0; i < 180; i++) {
+      step(stepped, 1 / 60);
+      expected += contactEvents(stepped).hit.count;
+    }
+    expect(expected).toBeGreaterThan(16);
+    let read = 0;
+    const runner = createRunner(fall(), { afterStep: (world) => (read += contactEvents(world).hit.count) });
+    for (let i = 0; i < Math.round(3 / frame); i++) runner.advance(frame);
+    expect(read).toBe(expected);
   });
 
   it('a runner continues after a step that threw, and accumulates at most a frame', () => {

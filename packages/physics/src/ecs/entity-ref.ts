@@ -110,11 +110,17 @@ export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
  */
 export function assertBody(world: PhysicsWorld, eid: number): void {
   // During a step the rows do not know yet that an entity was removed through bitECS.
-  if (!isBody(world, eid) || !entityExists(world, eid))
-    throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
+  const isKnown = isBody(world, eid);
+  const exists = isRow(world, eid) && entityExists(world, eid);
+  if (isKnown && exists) return;
+  if (world.state === 'stepping' && exists) {
+    const hint = 'Pass its values to `spawn`, and do the rest when the step has ended.';
+    throw staleError(eid, `body ${eid} was made in this step, and is there when the step has ended.`, hint);
+  }
+  throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
 }
 
-export function staleError(eid: number, problem: string): PhysicsError {
+export function staleError(eid: number, problem: string, hint?: string): PhysicsError {
   const entity = typeof eid === 'number' ? eid : undefined;
-  return new PhysicsError('E_STALE', problem, { entity, field: 'entity', value: eid });
+  return new PhysicsError('E_STALE', problem, { entity, field: 'entity', value: eid, ...(hint && { hint }) });
 }

@@ -1,6 +1,6 @@
 import { warnAboutDuration } from '#warnings';
 import { assertIdle, assertUsable } from '../ecs/guards.ts';
-import { checkKeys, checkNumber } from '../errors/validate.ts';
+import { checkKeys, checkNumber, mustBe } from '../errors/validate.ts';
 import { MAX_DT, MIN_DT, step } from './step.ts';
 import type { PhysicsWorld } from './types.ts';
 
@@ -10,6 +10,11 @@ export interface RunnerOptions {
   readonly dt?: number;
   /** Maximum simulated time per call of `advance`, s; default 0.25. Time beyond is dropped and counted. */
   readonly maxFrame?: number;
+  /**
+   * Called after every step. The events of rigid bodies belong to the last step, and a frame may have none or several: read
+   * them here. Default none.
+   */
+  readonly afterStep?: (world: PhysicsWorld) => void;
 }
 
 /** Maximum steps per frame. More would freeze the program, for example when dt is given in microseconds. */
@@ -44,7 +49,7 @@ export interface Runner {
  */
 export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): Runner {
   assertUsable(world);
-  const { dt, maxFrame } = checkOptions(options);
+  const { dt, maxFrame, afterStep } = checkOptions(options);
   // The times are in a typed array, because a captured variable would allocate a heap number per frame.
   const times = new Float64Array(3);
   warnAboutDuration(world, dt, 'createRunner: dt');
@@ -74,17 +79,20 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
         times[ACCUMULATED] = Math.max(0, times[ACCUMULATED] - dt);
         step(world, dt);
         steps++;
+        afterStep?.(world);
       }
       return steps;
     },
   };
 }
 
-function checkOptions(options: RunnerOptions): Required<RunnerOptions> {
-  checkKeys(options, 'createRunner', ['dt', 'maxFrame']);
+function checkOptions(options: RunnerOptions) {
+  checkKeys(options, 'createRunner', ['dt', 'maxFrame', 'afterStep']);
+  const { afterStep } = options;
+  if (afterStep !== undefined && typeof afterStep !== 'function') throw mustBe('a function', afterStep, 'afterStep');
   const dt = checkNumber(options.dt ?? 1 / 60, 'dt', { min: MIN_DT, max: MAX_DT });
   const maxFrame = checkNumber(options.maxFrame ?? Math.max(0.25, dt), 'maxFrame', { min: dt });
   const hint = `A frame can have at most ${MAX_STEPS} steps: lower \`maxFrame\`, or raise \`dt\`.`;
   checkNumber(dt, 'dt', { min: maxFrame / MAX_STEPS }, undefined, hint);
-  return { dt, maxFrame };
+  return { dt, maxFrame, afterStep };
 }
