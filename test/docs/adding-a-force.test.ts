@@ -2,7 +2,7 @@
 // page adds to lists is looked for in the lists.
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { complaintsAbout, importBundled, type PageFiles, writeFilesOf } from '../support/page-files.ts';
+import { importBundled, type PageFiles, typeErrorsOf, writeFilesOf } from '../support/page-files.ts';
 
 /** In place of vitest: the tests of the page run where they are read. */
 const VITEST = `
@@ -35,7 +35,7 @@ describe('docs/adding-a-force.md', () => {
     expect(readFileSync('packages/physics/src/index.ts', 'utf8')).toContain("from './forces/vortex.ts';");
   });
 
-  it('type-checks', () => expect(complaintsAbout(written)).toBe(''), 60_000);
+  it('type-checks', () => expect(typeErrorsOf(written)).toBe(''), 60_000);
 
   it('runs, and its test passes', async () => {
     Object.assign(globalThis, { expectOfPage: expect });

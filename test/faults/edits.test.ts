@@ -324,7 +324,7 @@ describe('what games do in handlers', () => {
     expect([isBody(world, bullet), bodies(world).count]).toEqual([false, 2]);
   });
 
-  it('a body that is made in a step is one when the step has ended, and whoever asks before is told so', () => {
+  it('a body spawned during a step can be used only after it, and the error says so', () => {
     const world = createPhysicsWorld({ capacity: 10 });
     const made: number[] = [];
     const refusals: unknown[] = [];
@@ -339,7 +339,7 @@ describe('what games do in handlers', () => {
     });
     step(world, DT);
     expect(refusals).toEqual([expect.objectContaining({ code: 'E_STALE', value: made[0] })]);
-    expect(String(refusals[0])).toMatch(/was made in this step.*Pass its values to `spawn`/s);
+    expect(String(refusals[0])).toMatch(/was spawned during this step.*Pass its values to `spawn`/s);
     expect(resolve(world, entityRef(world, made[0]))).toBe(made[0]);
   });
 

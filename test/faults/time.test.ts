@@ -1,17 +1,15 @@
 import {
   box,
   contactEvents,
-  createPhysicsWorld,
   createRunner,
   destroyWorld,
   type PhysicsWorld,
-  rigidBodies,
   spawn,
   stateHash,
   step,
-  uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
+import { rigidWorld } from '../support/rigid-world.ts';
 import {
   assertRefused,
   assertWorldAlive,
@@ -152,7 +150,7 @@ describe('time', () => {
   // A frame of 1/30 s has two steps, and every fourth of 1/240 s has one.
   it.each([1 / 30, 1 / 60, 1 / 240])('in frames of %f s each event of a step is read once', (frame) => {
     const fall = () => {
-      const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()], capacity: 20 });
+      const world = rigidWorld();
       spawn(world, { position: { y: -1 }, collider: { shape: box(50, 2) } });
       for (let i = 0; i < 8; i++) {
         const collider = { radius: 0.2, density: 1, restitution: 0.8 };

@@ -31,8 +31,8 @@ export function writeFilesOf(name: string): PageFiles {
   return { page, copy, files };
 }
 
-/** Checks the files with the strict compiler, and returns its complaints. */
-export function complaintsAbout({ copy, files }: PageFiles): string {
+/** Checks the files with the strict compiler, and returns its errors. */
+export function typeErrorsOf({ copy, files }: PageFiles): string {
   const tsconfig = {
     extends: resolve('tsconfig.json'),
     compilerOptions: { rootDirs: [copy, resolve('.')], typeRoots: [resolve('node_modules/@types')] },

@@ -37,7 +37,7 @@ export function warnAboutFaults(world: PhysicsWorld, isHandled: boolean): void {
   warnOnce(world, warning, 'fault');
 }
 
-/** A joint may begin this far beyond its limits, m or rad: inaccuracy of the author's. */
+/** A joint may begin this far beyond its limits, m or rad: bodies are often placed by eye. */
 const LIMIT_TOLERANCE = 0.05;
 
 /** Warns if a new joint begins beyond its limits: the solver pulls it there at once, and the bodies keep the speed. */

@@ -114,8 +114,8 @@ export function assertBody(world: PhysicsWorld, eid: number): void {
   const exists = isRow(world, eid) && entityExists(world, eid);
   if (isKnown && exists) return;
   if (world.state === 'stepping' && exists) {
-    const hint = 'Pass its values to `spawn`, and do the rest when the step has ended.';
-    throw staleError(eid, `body ${eid} was made in this step, and is there when the step has ended.`, hint);
+    const hint = 'Pass its values to `spawn`, and do the rest after the step.';
+    throw staleError(eid, `body ${eid} was spawned during this step and can be used only after it.`, hint);
   }
   throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
 }

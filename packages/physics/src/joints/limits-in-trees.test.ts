@@ -30,7 +30,7 @@ const CHAINS: Readonly<Record<string, readonly Link[]>> = {
     { size: [0.665, 1.186], density: 1.824, anchor: { x: 1.7, y: 0.499 }, limits: { lower: -0.578, upper: 0.033 } },
     { size: [0.671, 1.149], density: 2.613, anchor: { x: 2.742, y: 0.285 }, limits: { lower: -0.135, upper: 0.169 } },
   ],
-  // A thousand times as heavy below as on top: one limit strikes, and in the next sub-step its blow must not seem to drive
+  // A thousand times as heavy below as on top: one limit strikes, and in the next sub-step its impact must not seem to drive
   // other hinges into theirs.
   'four, the last by far the heaviest,': [
     { size: [0.186, 0.203], density: 1.696, anchor: { x: -0.918, y: 0.296 }, limits: { lower: -0.639, upper: 0.452 } },

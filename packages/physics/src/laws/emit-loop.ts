@@ -89,7 +89,7 @@ function emitIterations(emitter: NodeEmitter, source: LoopSource): void {
   };
   // One vector is computed again, so that the inner loop need not keep its values for the checks; two are not, which would
   // take longer.
-  if (results.length === 1) emitter.afresh(() => handle(emitResults(emitter, source)));
+  if (results.length === 1) emitter.recompute(() => handle(emitResults(emitter, source)));
   else emitter.branch(() => handle(results));
   code.add('br_if', 0).add('end').add('end');
 }

@@ -47,7 +47,7 @@ export class NodeEmitter extends ColumnEmitter {
   }
 
   /** As `branch`, but values of the current bodies are computed again. */
-  afresh(emit: () => void): void {
+  recompute(emit: () => void): void {
     this.branch(() => {
       for (const known of this.#locals) known.clear();
       this.rowDoubles.clear();

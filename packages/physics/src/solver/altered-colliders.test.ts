@@ -23,7 +23,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   }
 
   describe.each([true, false])('on a body that is awake: %s', (isAwake) => {
-    it('a belt that is switched on takes along what lies on it', () => {
+    it('a conveyor that is switched on carries what lies on it', () => {
       const { world, floor, crate, Collider, Velocity } = crateOnFloor(isAwake);
       Collider.tangentSpeed[floor] = 2;
       // μ g brings it to that speed in 0.4 s.

@@ -2,7 +2,7 @@
 // would know the masses of its two bodies and not what hangs on them: it would answer too weakly and too late, and so drive
 // what it should stop.
 //
-//   expect    what would be passed within the sub-step, with the impulses of the last one
+//   predict   what would be passed within the sub-step, with the impulses of the last one
 //   engage    what would be passed without them too, and what bears already
 //   release   what would have to pull
 //
@@ -38,15 +38,15 @@ const NO_ROOM: f64 = 1e-9;
 }
 
 // Notes which limits of a joint would be passed at the speeds with the impulses of the last sub-step. Those know the load of a
-// joint, but a blow seems to go on in them; the speeds without them know that it is over, but nothing bears a load in them.
+// joint, but an impact seems to continue in them; the speeds without them know that it is over, but nothing bears a load in them.
 // A limit is passed where both say so.
-export function expectLimits(t: JointTable, rigid: RigidTable, k: i32): void {
+export function predictLimits(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
-  if (hasTreeLimits(t, work)) work.limit = passed(t, rigid, work);
+  if (hasTreeLimits(t, work)) work.limit = passedLimits(t, rigid, work);
 }
 
 // Which limits of a joint its present speed passes within the sub-step.
-function passed(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
+function passedLimits(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
   const row = rowOf(work, SPRING_ROW);
   const then = row.error + rigid.h * speedAlong(stateA(rigid, work), stateB(rigid, work), row);
   return (
@@ -58,22 +58,24 @@ function passed(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
 export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   if (!hasTreeLimits(t, work)) return;
-  const passes = work.limit & passed(t, rigid, work);
+  const passes = work.limit & passedLimits(t, rigid, work);
   work.limit = 0;
   const row = rowOf(work, SPRING_ROW);
   const low = row.error - <f64>get(t.lower, work.id);
   const high = <f64>get(t.upper, work.id) - row.error;
   const impulses = impulsesOf(t, work.id);
-  const lower = (passes & PASSES_LOWER) != 0 || (impulses.lower > 0 && low < SLOP);
-  const upper = (passes & PASSES_UPPER) != 0 || (impulses.upper > 0 && high < SLOP);
+  const passesLower = (passes & PASSES_LOWER) != 0;
+  const passesUpper = (passes & PASSES_UPPER) != 0;
+  const lower = passesLower || (impulses.lower > 0 && low < SLOP);
+  const upper = passesUpper || (impulses.upper > 0 && high < SLOP);
   impulses.lower = 0;
   impulses.upper = 0;
   if (low + high < NO_ROOM) {
     lock(work, row, BOTH, low);
   } else if (lower && (!upper || low < high)) {
-    lock(work, row, LOWER, errorOf(low, (passes & PASSES_LOWER) != 0, rigid.h));
+    lock(work, row, LOWER, errorOf(low, passesLower, rigid.h));
   } else if (upper) {
-    lock(work, row, UPPER, -errorOf(high, (passes & PASSES_UPPER) != 0, rigid.h));
+    lock(work, row, UPPER, -errorOf(high, passesUpper, rigid.h));
   }
 }
 

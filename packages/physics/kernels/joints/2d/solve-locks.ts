@@ -25,7 +25,7 @@ import {
   massOf,
 } from './articulated-body';
 import { jointed } from './brace-joints';
-import { engageLimit, expectLimits, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
+import { engageLimit, predictLimits, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
 import { COMPLIANCE, exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { JointTable, impulsesOf } from './joint-table';
 import { JointPlace, JointRow, JointWork, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
@@ -124,7 +124,7 @@ export function solveLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
-  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) expectLimits(t, rigid, k);
+  for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) predictLimits(t, rigid, k);
   for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     applyImpulses(t, rigid, k, -1);

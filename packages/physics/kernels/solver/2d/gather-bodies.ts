@@ -32,7 +32,7 @@ import { wakeIsland, wasDisturbed } from './islands';
 import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
 import { RigidTable } from './rigid-table';
-import { isAltered, noteCollider, sleeperOf } from './sleeper';
+import { hasNewCollider, recordCollider, sleeperOf } from './sleeper';
 import { isValidWall, placeWall } from './walls';
 
 // What a body keeps from step to step.
@@ -179,7 +179,7 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   const pose = poseOf(t, row);
   const flags = flagsOf(t, row);
   turnTo(<f64>get(t.angle, row));
-  if ((flags & STATIC) != 0 && (hasMoved(c, pose, row) || ((flags & COLLIDES) != 0 && isAltered(t, row))))
+  if ((flags & STATIC) != 0 && (hasMoved(c, pose, row) || ((flags & COLLIDES) != 0 && hasNewCollider(t, row))))
     putFlags(t, row, flags | SHIFTED);
   pose.x = get(c.positionX, row);
   pose.y = get(c.positionY, row);
@@ -204,7 +204,7 @@ function readExtents(t: RigidTable, row: i32): void {
     pose.minExtent = <real>Infinity;
     return;
   }
-  noteCollider(t, row);
+  recordCollider(t, row);
   const shape = shapeOf(row, spare);
   pose.extent = shape.extent;
   pose.minExtent = shape.minExtent;

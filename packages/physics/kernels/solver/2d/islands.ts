@@ -21,7 +21,7 @@ import { readPose } from './gather-bodies';
 import { bodyOf, placePart } from './parts';
 import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
-import { Sleeper, isAltered, sleeperOf } from './sleeper';
+import { Sleeper, hasNewCollider, sleeperOf } from './sleeper';
 
 // A change of acceleration, m/s², that wakes a body: in the time until it would sleep again it moves it faster than what
 // counts as still.
@@ -194,7 +194,7 @@ function watchSleepers(t: RigidTable): void {
   const pose = poseOf(t, row);
   if (get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return true;
   if (get(t.angle, row) != sleeperOf(t, row).angle) return true;
-  if ((flagsOf(t, row) & COLLIDES) != 0 && isAltered(t, row)) return true;
+  if ((flagsOf(t, row) & COLLIDES) != 0 && hasNewCollider(t, row)) return true;
   return get(c.velocityX, row) != 0 || get(c.velocityY, row) != 0 || get(c.angularVelocityZ, row) != 0;
 }
 

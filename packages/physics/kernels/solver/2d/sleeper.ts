@@ -31,16 +31,16 @@ const SIZE: usize = (offsetof<Sleeper>() + sizeof<real>() - 1) & ~(sizeof<real>(
   return changetype<Sleeper>(t.sleepers + <usize>row * SIZE);
 }
 
-// Whether the collider of a body was altered since the last step: its shape, its friction, or the speed of its surface.
-export function isAltered(t: RigidTable, row: i32): bool {
+// Whether the collider of a body changed since the last step: its shape, its friction, or the speed of its surface.
+export function hasNewCollider(t: RigidTable, row: i32): bool {
   const c = columns();
   const sleeper = sleeperOf(t, row);
   if (word(c.shape, row) != sleeper.shape || get(c.radius, row) != sleeper.radius) return true;
   return get(c.friction, row) != sleeper.friction || get(t.tangentSpeed, row) != sleeper.tangentSpeed;
 }
 
-// Notes the collider of this step.
-export function noteCollider(t: RigidTable, row: i32): void {
+// Records the collider of this step.
+export function recordCollider(t: RigidTable, row: i32): void {
   const c = columns();
   const sleeper = sleeperOf(t, row);
   sleeper.shape = word(c.shape, row);

@@ -190,7 +190,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
   }
   contact.flags |= TOUCHING;
   moveAnchors(t, contact);
-  // Each step, because friction or the speed of a belt may be changed while the points are kept.
+  // Each step, because friction or the speed of a conveyor may change while the points are kept.
   mixMaterials(t, contact);
   return ((flagsA & DYNAMIC) == 0) != ((flagsB & DYNAMIC) == 0);
 }
