@@ -4,11 +4,16 @@ import {
   type Force,
   linearDrag,
   type PhysicsWorld,
+  particleContacts,
   quadraticDrag,
+  rigidBodies,
+  softStep,
   spawn,
+  standard,
   stateHash,
   step,
   uniformGravity,
+  velocityVerlet,
 } from '@principia/physics';
 import { addComponent, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
@@ -193,6 +198,24 @@ describe('invalid forces, systems and integrators', () => {
     expect(refusal(() => createPhysicsWorld({ walls: [null as never] })).code).toBe('E_TYPE');
     expect(refusal(() => createPhysicsWorld({ integrator: {} as never })).code).toBe('E_TYPE');
     expect(refusal(() => createPhysicsWorld({ preset: 'standard' as never })).code).toBe('E_TYPE');
+  });
+
+  it.each([{ standard }, { particleContacts }, { rigidBodies }])('23 a preset that was called says so: %o', (named) => {
+    const [[name, preset]] = Object.entries(named);
+    const { code, field, hint } = refusal(() => createPhysicsWorld({ preset: (preset as () => never)() }));
+    expect([code, field]).toEqual(['E_TYPE', 'preset']);
+    expect(hint).toContain(`createPhysicsWorld({ preset: ${name} })`);
+  });
+
+  it('23 an integrator that the preset would replace is refused', () => {
+    const { code, field, hint } = refusal(() =>
+      createPhysicsWorld({ preset: rigidBodies, integrator: velocityVerlet }),
+    );
+    expect([code, field]).toEqual(['E_RANGE', 'integrator']);
+    expect(hint).toContain('the preset takes soft step');
+    expect(createPhysicsWorld({ preset: rigidBodies, integrator: softStep({ substeps: 8 }) }).integrator.name).toBe(
+      'soft step',
+    );
   });
 
   it('23 a system, an integrator or a profile clock that throws does not lock the world', () => {

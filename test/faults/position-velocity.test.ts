@@ -158,7 +158,7 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
   });
 
   it.each([NaN, Infinity])('9 angular velocity %d: refused by the API, quarantined in the column', (bad) => {
-    refuse({ position: {}, angularVelocity: { z: bad } }, 'E_NONFINITE', 'angularVelocity');
+    refuse({ position: {}, angularVelocity: { z: bad } }, 'E_NONFINITE', 'angularVelocity.z');
     const { world } = withWitness(({ world, victim }) => {
       addComponent(world, victim, set(world.components.AngularVelocity, 3));
       world.components.AngularVelocity.z[victim] = bad;

@@ -326,6 +326,10 @@ describe('joints of rigid bodies', () => {
       ['mouseJoint', { maxForce: 1 }, 'target'],
       ['mouseJoint', { target: {} }, 'maxForce'],
       ['motorJoint', { maxForce: 1 }, 'maxTorque'],
+      // Without a largest torque a motor would do nothing.
+      ['revolute', { anchor: {}, motor: { speed: 3 } }, 'motor.max'],
+      ['wheel', { anchor: {}, motor: { max: 3 } }, 'motor.speed'],
+      ['weld', { anchor: {}, spring: { dampingRatio: 1 } }, 'spring.hertz'],
     ];
     for (const [name, options, field] of missing) {
       const make = describe[name] as (options: object) => Parameters<typeof createJoint>[1];

@@ -14,8 +14,11 @@ import {
   type PhysicsWorldOptions,
   particleContacts,
   revolute,
+  rgba,
   rigidBodies,
+  type System,
   spawn,
+  spawnMany,
   springs,
   step,
   uniformGravity,
@@ -196,6 +199,39 @@ it('reports a handler that rejects, which no step can throw any more', async () 
   step(world, 0.01);
   await Promise.resolve();
   expect(messages()).toBe('an asynchronous handler of "contact" was rejected: Error: too late');
+});
+
+it('reports a system that rejects', async () => {
+  const { world, messages } = listen();
+  const rejects: unknown = async () => {
+    throw new Error('too late');
+  };
+  world.phases.input.push(rejects as System);
+  step(world, 0.01);
+  await Promise.resolve();
+  expect(messages()).toBe('an asynchronous system of the phase "input" was rejected: Error: too late');
+});
+
+it('says that a colour as the web writes it is invisible, and not of one made by rgba', () => {
+  const { world, messages } = listen();
+  for (const color of [rgba(1, 0, 0), rgba(0, 0, 0, 0), 0]) spawn(world, { position: {}, appearance: { color } });
+  spawnMany(world, 2, { position: {}, appearance: { color: rgba(0, 1, 0) } });
+  expect(messages()).toBe('');
+  spawn(world, { position: {}, appearance: { color: 0xff00 } });
+  expect(messages()).toContain('the colour 0x00ff00 is invisible');
+  const other = listen();
+  spawnMany(other.world, 2, { position: {}, appearance: 0xff0000 });
+  expect(other.messages()).toContain('the colour 0xff0000 is invisible');
+});
+
+it('says that a body without a position goes nowhere', () => {
+  const { world, messages } = listen({ preset: rigidBodies });
+  spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  spawn(world, { collider: { shape: box(1, 1), density: 1 } });
+  step(world, 0.01);
+  expect(messages()).toBe('entity 2 has Mass or Velocity and no Position, so that nothing moves it.');
 });
 
 it('says when a joint is made beyond its limits, once for each kind', () => {

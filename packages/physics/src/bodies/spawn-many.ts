@@ -1,5 +1,6 @@
 // Creates many bodies at once, past bitECS's functions for one component of one entity; a test compares the result with
 // that of adding component by component.
+import { warnAboutColor } from '#warnings';
 import { storeShape } from '../collision/shapes/2d/shape.ts';
 import type { ComponentName } from '../components/all.ts';
 import { bitsOf } from '../components/membership.ts';
@@ -41,6 +42,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const { body, shape } = resolveShape(world, values);
   const checked = checkMany(world, body, count);
+  warnAboutColorOf(world, checked);
   const components = shape === undefined ? checked : withShape(checked, storeShape(world, shape));
   const ids = new Uint32Array(count);
   try {
@@ -55,6 +57,11 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
     throw error;
   }
   return belongsTo(world, ids);
+}
+
+function warnAboutColorOf(world: PhysicsWorld, components: readonly ComponentValues[]): void {
+  const fields = components.find(({ name }) => name === 'Appearance')?.fields ?? [];
+  for (const [field, color] of fields) if (field === 'color') warnAboutColor(world, color);
 }
 
 function createEntities(

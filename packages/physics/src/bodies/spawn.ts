@@ -1,4 +1,5 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
+import { warnAboutColor } from '#warnings';
 import { type Shape, storeShape } from '../collision/shapes/2d/shape.ts';
 import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import { generationOf } from '../ecs/bitecs/context.ts';
@@ -52,7 +53,7 @@ export function componentOfKey(key: string, caller: string): ComponentName {
 /**
  * Creates one entity with the given components. A component given as `{}` gets its initial values; an omitted or
  * undefined component is absent, except that a body with mass gets a zero velocity. All values are validated first.
- * During a step the body is created at the end of the step. An exception of a user's observer removes the entity and
+ * During a step the body is created at the end of the step, and what is written to its columns until then is lost. An exception of a user's observer removes the entity and
  * propagates.
  * @returns the entity id
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_DESTROYED
@@ -95,6 +96,7 @@ function checkBody(world: PhysicsWorld, body: BodyInput): [ComponentName, FieldV
     if (data === undefined) continue;
     const name = componentOfKey(key, 'spawn');
     const values = checkValues(world, name, data);
+    if (name === 'Appearance') warnAboutColor(world, values.color);
     checked.push([name, completeValues(world, name, values, () => initialValues(name))]);
   }
   if (lacksVelocity(checked.map(([name]) => name))) checked.push(['Velocity', initialValues('Velocity')]);

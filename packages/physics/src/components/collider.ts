@@ -27,7 +27,9 @@ export const Collider = defineComponent({
     /** Coulomb friction coefficient, static and kinetic. */
     friction: real('', { initial: 0, bounds: { min: 0, max: 100 } }),
     /** Index into the world's shape pool, which `spawn` and `setShape` write; 0 is the disc or ball of `radius`. */
-    shape: u32('', { hint: 'Give a shape such as box(1, 0.5), or leave it out for a disc.' }),
+    shape: u32('', {
+      hint: 'Shapes such as box(1, 0.5) are given to `spawn` and `setShape`, which store their index here.',
+    }),
     /** Torque that resists rolling, as a fraction of normal force times radius. */
     rollingResistance: real('', { bounds: { min: 0, max: 100 } }),
     /** Speed of the surface along its tangent, m/s, as of a conveyor belt. */

@@ -59,6 +59,16 @@ export function warnAboutLimits(world: PhysicsWorld, joint: Readonly<Record<stri
   warnOnce(world, warning, `limits of a ${kind} joint`);
 }
 
+/** Warns if a colour given for a body is invisible: the web writes 0xRRGGBB, and such a number has no alpha here. */
+export function warnAboutColor(world: PhysicsWorld, color: unknown): void {
+  if (typeof color !== 'number' || color <= 1 || color > 0xffffff) return;
+  const warning = {
+    message: `the colour 0x${color.toString(16).padStart(6, '0')} is invisible: its alpha, the highest of the bytes 0xAABBGGRR, is 0.`,
+    hint: 'Give colours as rgba(1, 0.5, 0), from 0 to 1.',
+  };
+  warnOnce(world, warning, 'alpha 0');
+}
+
 /**
  * Warns about components, handlers and forces that had no effect in the step that has just ended.
  * @param ignoredEvents events that have handlers and that no system dispatches
@@ -79,6 +89,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
   warnAboutRepeatedForces(world);
   warnAboutSprings(world);
   warnAboutShapes(world);
+  warnAboutMissingPositions(world);
   warnAboutBodiesThatDoNotTurn(world);
 }
 
@@ -151,6 +162,19 @@ function warnAboutShapes(world: PhysicsWorld): void {
     hint: 'Create the world with `preset: rigidBodies`.',
   };
   warnOnce(world, warning, 'shapes');
+}
+
+/** Nothing that moves or collides is without a place. */
+function warnAboutMissingPositions(world: PhysicsWorld): void {
+  const { members } = world.internal;
+  const [position, moving] = [bitOf('Position'), bitOf('Mass') | bitOf('Velocity')];
+  const lost = firstRow(world, (id) => (members[id] & moving) !== 0 && (members[id] & position) === 0);
+  if (lost === 0) return;
+  const warning = {
+    message: `entity ${lost} has Mass or Velocity and no Position, so that nothing moves it.`,
+    hint: 'Spawn it with `position: {}`, which is the origin.',
+  };
+  warnOnce(world, warning, 'no Position');
 }
 
 /** Friction is meant to roll a disc. A body that is meant not to turn says so by `inertia: Infinity` or by `motionLocks`. */

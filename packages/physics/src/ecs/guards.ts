@@ -17,6 +17,20 @@ export function assertUsable(world: PhysicsWorld): void {
   }
 }
 
+/**
+ * `assertUsable` for a preset, which a world calls: in `preset: standard()` there is none yet.
+ * @throws PhysicsError E_DESTROYED, or E_TYPE if the argument is not a world
+ */
+export function assertPresetWorld(world: PhysicsWorld, preset: string): void {
+  if (world === undefined) {
+    throw new PhysicsError('E_TYPE', `the preset ${preset} was called without a world.`, {
+      field: 'preset',
+      hint: `Pass it, do not call it: createPhysicsWorld({ preset: ${preset} }).`,
+    });
+  }
+  assertUsable(world);
+}
+
 /** Applies an edit now or, during a step, at the end of the step, so that rows do not change while systems run. */
 export function whenIdle({ state, internal }: PhysicsWorld, edit: () => void): void {
   if (state === 'stepping') internal.deferredEdits.push(edit);

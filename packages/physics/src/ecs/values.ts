@@ -20,7 +20,8 @@ export function checkValues(space: WorldView, name: ComponentName, data: unknown
       throw unknownName(keyOf(name), 'field', field, Object.keys(spec.fields), entity);
     }
     const known = spec.fields[field] as FieldSpec;
-    values[field] = checkField(space, known, fieldName(name, field), given[field], entity);
+    const named = isRecord(data) ? `${keyOf(name)}.${field}` : keyOf(name);
+    values[field] = checkField(space, known, named, given[field], entity);
   }
   return values;
 }

@@ -9,6 +9,7 @@ import { quadraticDrag } from '../forces/drag.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { createRandom } from '../math/random.ts';
+import { mutualGravity } from '../n-body/mutual-gravity.ts';
 import { createPhysicsWorld } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import {
@@ -38,6 +39,24 @@ describe('a particle', () => {
     expect(Position.x[eid]).toBeCloseTo(Position.x[twin], 12);
     expect(Position.y[eid]).toBeCloseTo(Position.y[twin], 12);
     expect(Velocity.y[eid]).toBeCloseTo(Velocity.y[twin], 12);
+  });
+
+  test('feels the gravity of a star, and as a test particle exerts none', () => {
+    const fall = (testParticle: boolean) => {
+      const { world, emitter } = emitting(
+        { speed: 0, mass: 0.5, lifetime: 10, position: { x: 10 }, testParticle },
+        { forces: [mutualGravity({ G: 1 })] },
+      );
+      const star = spawn(world, { position: {}, velocity: {}, mass: 50 });
+      burst(emitter, 1);
+      run(world, 1);
+      const { x } = world.components.Velocity;
+      return { star: x[star], particle: x[living(emitter)[0]] };
+    };
+    // From 10 m, 50 kg draw the particle with 0.5 m/s², more as it approaches.
+    expect(fall(true).particle).toBeLessThan(-0.5);
+    expect(fall(true).star).toBe(0);
+    expect(fall(false).star).toBeGreaterThan(0);
   });
 
   test('is not interpolated from the end of the previous life of its entity', () => {

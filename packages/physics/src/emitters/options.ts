@@ -82,6 +82,8 @@ export interface EmitterOptions extends EmitterParameters {
     /** Default 0. */
     readonly friction?: number;
   };
+  /** Whether mutual forces act on the particles and not back: see the component TestParticle. Default false. */
+  readonly testParticle?: boolean;
   /** Kind of shape to draw; 0, the default, is a disc or ball. */
   readonly shape?: number;
   /** Record ended particles and their states for `endings`. Default false. */
@@ -113,6 +115,7 @@ const FIXED = [
   'linearDrag',
   'quadraticDrag',
   'collider',
+  'testParticle',
   'shape',
   'reportEndings',
 ] as const;

@@ -3,6 +3,7 @@
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { bitOf } from '../components/membership.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
+import { checkFlag } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
@@ -80,7 +81,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
  * @throws PhysicsError as `spawnMany`
  */
 export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32Array {
-  const { collider, linearDrag, quadraticDrag, shape = 0, capacity } = options;
+  const { collider, linearDrag, quadraticDrag, shape = 0, capacity, testParticle } = options;
   const ids = spawnMany(world, capacity, {
     position: {},
     velocity: {},
@@ -89,6 +90,7 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
     collider,
     linearDrag,
     quadraticDrag,
+    testParticle: checkFlag(testParticle, 'testParticle') ? {} : undefined,
   });
   return ids.sort();
 }

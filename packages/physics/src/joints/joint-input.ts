@@ -179,14 +179,14 @@ function fieldsOf(
   }
   if (spring !== undefined) {
     checkKeys(spring, `${caller}.spring`, ['hertz', 'dampingRatio', 'maxForce']);
-    take('hertz', spring.hertz, 'spring.hertz');
+    take('hertz', spring.hertz, 'spring.hertz', 0, true);
     take('dampingRatio', spring.dampingRatio, 'spring.dampingRatio');
     take('maxForce', spring.maxForce, 'spring.maxForce');
   }
   if (motor !== undefined) {
     checkKeys(motor, `${caller}.motor`, ['speed', 'max']);
-    take('motorSpeed', motor.speed, 'motor.speed', -1e9);
-    take('maxMotor', motor.max, 'motor.max');
+    take('motorSpeed', motor.speed, 'motor.speed', -1e9, true);
+    take('maxMotor', motor.max, 'motor.max', 0, true);
   }
   return fields;
 }

@@ -1,7 +1,7 @@
 import { integrate } from '../dynamics/integrate.ts';
 import { integrateRotation } from '../dynamics/integrate-rotation.ts';
 import { beginStep, validateMotion, validateState } from '../dynamics/validate-state.ts';
-import { assertUsable } from '../ecs/guards.ts';
+import { assertPresetWorld } from '../ecs/guards.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { collideBodies, enableContacts } from '../particle-contacts/collide.ts';
 import { contactBytesPerEntity } from '../particle-contacts/contact-table.ts';
@@ -23,7 +23,7 @@ export const particleContacts: Preset = /* @__PURE__ */ Object.assign(fill, {
 });
 
 function fill(world: PhysicsWorld): void {
-  assertUsable(world);
+  assertPresetWorld(world, 'particleContacts');
   const { phases } = world;
   // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
   enableContacts(world);

@@ -1,6 +1,6 @@
 import { integrate } from '../dynamics/integrate.ts';
 import { beginStep, validateState } from '../dynamics/validate-state.ts';
-import { assertUsable } from '../ecs/guards.ts';
+import { assertPresetWorld } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { breakJoints } from '../joints/create-joint.ts';
@@ -25,7 +25,7 @@ export const rigidBodies: Preset = /* @__PURE__ */ Object.assign(fill, {
 });
 
 function fill(world: PhysicsWorld): void {
-  assertUsable(world);
+  assertPresetWorld(world, 'rigidBodies');
   // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
   refuseUnsupported(world);
   if (!isSoftStep(world.integrator)) world.integrator = defaultFor(world);

@@ -8,6 +8,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { observeComponents } from '../ecs/observers.ts';
 import { checkOwnComponents, makeOwnColumns, observeOwnComponents, ownColumnCount } from '../ecs/own-components.ts';
 import { createFaultLog } from '../errors/fault-log.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkFunction, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { instantiateKernels, type Precision } from '../kernels/instantiate.ts';
@@ -114,6 +115,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   observeComponents(world);
   observeOwnComponents(world);
   preset(world);
+  checkIntegratorKept(world, options.integrator);
   for (const system of options.walls ?? []) world.phases.walls.push(system);
   return world;
 }
@@ -123,6 +125,15 @@ function checkFeatures({ dimensions = 2, forces = [], walls = [], integrator, pr
   checkSystems(walls, 'walls');
   if (integrator !== undefined) checkIntegrator(integrator, 'integrator');
   if (preset !== undefined) checkFunction(preset, 'preset');
+}
+
+/** A preset may replace the default integrator, and no other. @throws PhysicsError E_RANGE */
+function checkIntegratorKept(world: PhysicsWorld, chosen: Integrator | undefined): void {
+  if (chosen === undefined || world.integrator === chosen) return;
+  throw new PhysicsError('E_RANGE', `this preset does not work with the integrator ${chosen.name}.`, {
+    field: 'integrator',
+    hint: `Leave \`integrator\` out: the preset takes ${world.integrator.name}.`,
+  });
 }
 
 /** Memory for parameters of laws and the list of bodies at walls. */

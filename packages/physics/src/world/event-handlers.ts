@@ -1,7 +1,7 @@
 import { collectThrown } from '../errors/collect-thrown.ts';
 import type { Fault } from '../errors/fault-log.ts';
+import { reportRejection } from '../errors/report-rejection.ts';
 import { checkFunction, unknownName } from '../errors/validate.ts';
-import { warnOnce } from '../errors/warn-once.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from './types.ts';
 
@@ -79,21 +79,11 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
     if (list[i].removed) continue;
     try {
       const result: unknown = list[i].handler(event, world);
-      if (result instanceof Promise) reportRejection(world, name, result);
+      if (result instanceof Promise) reportRejection(world, `handler of "${name}"`, result);
     } catch (error) {
       collectThrown(world, error);
     }
   }
-}
-
-/** A promise rejects after the step, which cannot throw then; an unhandled rejection would end the process. */
-function reportRejection(world: PhysicsWorld, name: EventName, result: Promise<unknown>): void {
-  result.catch((error) => {
-    warnOnce(world, {
-      message: `an asynchronous handler of "${name}" was rejected: ${error}`,
-      hint: 'Handlers are synchronous: what follows an `await` runs after the step. Catch its errors there.',
-    });
-  });
 }
 
 /** System of the `events` phase: dispatches the events of this step's faults. */

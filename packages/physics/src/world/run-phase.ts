@@ -1,4 +1,5 @@
 import { collectThrown } from '../errors/collect-thrown.ts';
+import { reportRejection } from '../errors/report-rejection.ts';
 import type { Phase } from './phases.ts';
 import type { PhysicsWorld, Plan } from './types.ts';
 
@@ -10,8 +11,9 @@ export function runPhase(world: PhysicsWorld, plan: Plan, phase: Phase, dt: numb
   for (let s = 0; s < systems.length; s++) {
     const system = systems[s];
     try {
-      if (typeof system === 'function') system(world, dt);
-      else system.run(world, world.ranges, dt);
+      const isGlobal = typeof system === 'function';
+      const result: unknown = isGlobal ? system(world, dt) : system.run(world, world.ranges, dt);
+      if (result instanceof Promise) reportRejection(world, `system of the phase "${phase}"`, result);
     } catch (error) {
       collectThrown(world, error);
     }
