@@ -14,12 +14,14 @@ import { SHAPES, worldSource } from '@principia/render-core';
 import {
   applyCamera,
   createBodyLayer,
+  createBoxLayer,
   createContactLayer,
   createLinkLayer,
   createSegmentLayer,
   createTrailLayer,
   createWorldContainer,
   keepUpright,
+  openScreen,
 } from '@principia/render-pixi';
 import { Application, Container, Graphics, Sprite } from 'pixi.js';
 import { createTestBodySource, type TestBodySource } from '../support/body-source.ts';
@@ -164,6 +166,29 @@ export const lab = {
     layer.destroy();
     stage.close();
     return result;
+  },
+
+  /** What the layers say of a missing source or world, and of an update after they were destroyed. */
+  async wrongUse() {
+    const source = createTestBodySource(1024, 2, 'f32');
+    const layers = [createBodyLayer({ source }), createTrailLayer({ source }), createLinkLayer({ source })];
+    const messageOf = (act: () => unknown) => {
+      try {
+        act();
+        return '';
+      } catch (error) {
+        return String(error);
+      }
+    };
+    const updates = layers.map((layer) => {
+      layer.destroy();
+      return messageOf(() => layer.update(1));
+    });
+    const none = {} as never;
+    const makers = [createBodyLayer, createTrailLayer, createLinkLayer, createContactLayer, createBoxLayer];
+    const refusals = makers.map((make) => messageOf(() => make(none)));
+    const screen = await openScreen(undefined as never).catch(String);
+    return { updates, refusals, screen };
   },
 
   /** Where a moving body is drawn, and which way its mark points, for several alphas. */

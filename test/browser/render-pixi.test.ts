@@ -43,6 +43,19 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', HANGS, (backend) =
     expect(seen.y).toBeCloseTo(-5.2, 1);
   });
 
+  it('says what is missing, and that a layer was destroyed', async () => {
+    const { updates, refusals, screen } = await page.evaluate(() => pixiLab.wrongUse());
+    for (const message of updates) expect(message).toMatch(/this layer \(principia-\w+\) was destroyed/);
+    expect(refusals).toEqual([
+      'Error: createBodyLayer needs a source of bodies: createBodyLayer({ source: worldSource(world) })',
+      'Error: createTrailLayer needs a source of bodies: createTrailLayer({ source: worldSource(world) })',
+      'Error: createLinkLayer needs a source of bodies: createLinkLayer({ source: worldSource(world) })',
+      'Error: createContactLayer needs a world made by createPhysicsWorld: createContactLayer({ world })',
+      'Error: createBoxLayer needs a world made by createPhysicsWorld: createBoxLayer({ world })',
+    ]);
+    expect(screen).toContain('openScreen(document.body)');
+  });
+
   it('keeps f64 positions precise 10⁹ m from zero', async () => {
     const seen = await page.evaluate((b) => pixiLab.disc(b, 'f64', 1e9), backend);
     expect(seen.area / discArea(40)).toBeCloseTo(1, 2);

@@ -1,3 +1,4 @@
+export { sourceOf, worldOf } from './arguments.ts';
 export { type BodySource, OUTLINE_TEXELS, type Outlines, type RealColumn } from './body-source.ts';
 export {
   type Bounds2,

@@ -31,16 +31,18 @@ export function sizeToFill(parent: HTMLElement, maxResolution = 2) {
  * real size.
  *
  * @param onResize receives width and height in CSS pixels and the resolution
- * @throws Error when the canvas is not attached to a parent element
+ * @throws Error when there is no canvas, or it is not attached to a parent element
  */
 export function watchViewport(
   canvas: HTMLCanvasElement,
   onResize: (width: number, height: number, resolution: number) => void,
   options: ViewportOptions = {},
 ): Viewport {
-  const parent = canvas.parentElement;
-  if (parent === null)
+  const parent = canvas?.parentElement;
+  if (parent === undefined) throw new Error('watchViewport needs a canvas, and a function to be told of its size');
+  if (parent === null) {
     throw new Error('the canvas has no parent element: append it to the page before watching its size');
+  }
   const size = { width: 1, height: 1, resolution: 1 };
   let known = false;
 

@@ -5,8 +5,15 @@ import { OutlineTable } from './outline-table.ts';
 /** Restoring a snapshot resets the version counters; this offset keeps them unique for renderers. */
 const RESTORE_OFFSET = 2 ** 32;
 
-/** The columns of a world for renderers. Nothing is copied: the source is a live view of the world. */
+/**
+ * The columns of a world for renderers. Nothing is copied: the source is a live view of the world.
+ *
+ * @throws Error when it is not given a world
+ */
 export function worldSource(world: PhysicsWorld): BodySource {
+  if (world?.components === undefined) {
+    throw new Error('worldSource needs a world made by createPhysicsWorld: worldSource(world)');
+  }
   const { components, previous, versions } = world;
   const { Position, Rotation, Orientation, Collider, Appearance } = components;
   const outlines = new OutlineTable();

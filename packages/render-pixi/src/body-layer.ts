@@ -1,4 +1,4 @@
-import type { BodySource } from '@principia/render-core';
+import { type BodySource, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { writeColor } from './color.ts';
 import { PullMesh } from './pull-mesh.ts';
@@ -31,6 +31,7 @@ export interface BodyLayer {
    * without garbage.
    *
    * @param alpha position between the previous (0) and the present pose (1)
+   * @throws Error when the layer was destroyed
    */
   update(alpha: number): void;
   /**
@@ -46,10 +47,11 @@ export interface BodyLayer {
  * Draws every body of a source as the shape of its collider, or as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
  * id, so the cost in JavaScript is one upload per changed column, independent of the number of bodies.
  *
- * @throws Error when an option is out of range or the source's rows are not a multiple of 1024
+ * @throws Error when there is no source, an option is out of range or the source's rows are not a multiple of 1024
  */
 export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
-  const { source, pixelsPerMetre = 1, defaultColor = 0x4f9dde, blendMode = 'normal' } = options;
+  const source = sourceOf(options, 'createBodyLayer');
+  const { pixelsPerMetre = 1, defaultColor = 0x4f9dde, blendMode = 'normal' } = options;
   const { minimumPixels = 0.5, rotation = true, rimWidth = 0 } = options;
   const color = new Float32Array(4);
   writeColor(color, defaultColor);
@@ -65,6 +67,7 @@ export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
   return {
     container: mesh.container,
     update(alpha) {
+      mesh.assertDrawable();
       textures.syncIds();
       textures.syncPosition();
       textures.syncStyle();

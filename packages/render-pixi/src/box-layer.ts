@@ -1,4 +1,5 @@
 import { type BodyBoxes, bodyBoxes, type PhysicsWorld } from '@principia/physics';
+import { worldOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { groupColor } from './group-colors.ts';
 import { createSegmentLayer } from './segment-layer.ts';
@@ -37,7 +38,8 @@ function colorOf(island: number): number {
 
 /** Creates a layer that shows the boxes of rigid bodies, and which sleep. @throws Error when an option is out of range */
 export function createBoxLayer(options: BoxLayerOptions): BoxLayer {
-  const { world, pixelsPerMetre = 1, thickness = 1, byIsland = false } = options;
+  const world = worldOf(options, 'createBoxLayer');
+  const { pixelsPerMetre = 1, thickness = 1, byIsland = false } = options;
   const { awakeColor = 0xff50c0ff, asleepColor = 0xffa08070 } = options;
   const lines = createSegmentLayer({ pixelsPerMetre, thickness });
   const ends: number[] = [];

@@ -1,4 +1,5 @@
 import { type ContactPoints, contactPoints, type PhysicsWorld } from '@principia/physics';
+import { worldOf } from '@principia/render-core';
 import { Container } from 'pixi.js';
 import { groupColor } from './group-colors.ts';
 import { createSegmentLayer } from './segment-layer.ts';
@@ -31,7 +32,8 @@ export interface ContactLayer {
 
 /** Creates a layer that shows where rigid bodies touch. @throws Error when an option is out of range */
 export function createContactLayer(options: ContactLayerOptions): ContactLayer {
-  const { world, pixelsPerMetre = 1, pointSize = 5, normalLength = 0.25 } = options;
+  const world = worldOf(options, 'createContactLayer');
+  const { pixelsPerMetre = 1, pointSize = 5, normalLength = 0.25 } = options;
   const { pointColor = 0xff5050, normalColor = 0xffd060, byColor = false } = options;
   const normals = createSegmentLayer({ pixelsPerMetre, thickness: 1.5, color: normalColor });
   const points = createSegmentLayer({ pixelsPerMetre, thickness: pointSize, color: pointColor });

@@ -1,4 +1,4 @@
-import type { BodySource } from '@principia/render-core';
+import { type BodySource, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
@@ -32,7 +32,8 @@ export interface LinkLayer {
 
 /** Creates an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
 export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
-  const { source, pixelsPerMetre = 1, blendMode = 'normal' } = options;
+  const source = sourceOf(options, 'createLinkLayer');
+  const { pixelsPerMetre = 1, blendMode = 'normal' } = options;
   const textures = SourceTextures.acquire(source);
   const pairsTexture = new ColumnTexture('whole');
   const colors = new LineColors();
@@ -52,6 +53,7 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
   return {
     container: mesh.container,
     set(pairs, count = Math.floor(pairs.length / 2), linkColors) {
+      mesh.assertDrawable();
       checkLength('pairs', pairs, 2 * count);
       if (linkColors !== undefined) checkLength('colors', linkColors, count);
       const length = bufferLength(2 * count, ids.length, 1);
@@ -62,6 +64,7 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
       mesh.draw(count);
     },
     update(alpha) {
+      mesh.assertDrawable();
       textures.syncPosition();
       mesh.uniforms.uAlpha = textures.alphaOf(alpha);
       mesh.place(textures.originX, textures.originY);

@@ -26,6 +26,7 @@ export class PullMesh {
   readonly #quads = new QuadGeometry();
   readonly #shader: Shader;
   readonly #pixelsPerMetre: number;
+  readonly #name: string;
 
   /**
    * @param textures one for each name in `program.textures`
@@ -48,6 +49,7 @@ export class PullMesh {
     this.#mesh.blendMode = blendMode;
     this.#mesh.eventMode = 'none';
     this.#pixelsPerMetre = pixelsPerMetre;
+    this.#name = program.name;
     this.container = new Container({ label: program.name, children: [this.#mesh] });
     this.container.eventMode = 'none';
     this.container.cullableChildren = false;
@@ -68,6 +70,12 @@ export class PullMesh {
   draw(quads: number, instances = 1): void {
     this.#mesh.visible = quads > 0 && instances > 0;
     if (this.#mesh.visible && this.#quads.draw(quads, instances)) this.#mesh.geometry = this.#quads.geometry;
+  }
+
+  /** @throws Error when the layer was destroyed: its textures would be sent to the GPU again */
+  assertDrawable(): void {
+    if (!this.container.destroyed) return;
+    throw new Error(`this layer (${this.#name}) was destroyed: do not update it any more`);
   }
 
   destroy(): void {

@@ -34,10 +34,13 @@ export type ScreenOptions = Partial<WebGLOptions & AutoDetectOptions>;
  * loads events, filters and other parts before the first picture. Here a page imports `pixi.js/graphics` and so on
  * itself.
  *
- * @throws Error when the browser has neither, or pixi.js is too old
+ * @throws Error when there is no parent, the browser has neither, or pixi.js is too old
  */
 export async function openScreen(parent: HTMLElement, options: ScreenOptions = {}): Promise<Screen> {
   requirePixi(VERSION);
+  if (typeof parent?.append !== 'function') {
+    throw new Error('openScreen needs the element for its canvas: openScreen(document.body)');
+  }
   const { width, height, resolution } = sizeToFill(parent);
   const size = { width: Math.max(1, width), height: Math.max(1, height), resolution };
   const wanted = { autoDensity: true, ...size, ...options, skipExtensionImports: true };

@@ -38,6 +38,7 @@ export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
   return {
     container: mesh.container,
     set(segments, count = Math.floor(segments.length / 4), lineColors) {
+      mesh.assertDrawable();
       checkLength('segments', segments, count * 4);
       if (lineColors !== undefined) checkLength('colors', lineColors, count);
       const length = bufferLength(count, data.length, 4);

@@ -1,4 +1,4 @@
-import { type BodySource, TrailHistory } from '@principia/render-core';
+import { type BodySource, sourceOf, TrailHistory } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { writeColor } from './color.ts';
 import { checkThickness } from './line-style.ts';
@@ -56,7 +56,8 @@ export interface TrailLayer {
  * @throws Error when an option is out of range or the trails do not fit into a texture
  */
 export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
-  const { source, length = 32, bodies, interval = 1, pixelsPerMetre = 1, blendMode = 'normal' } = options;
+  const source = sourceOf(options, 'createTrailLayer');
+  const { length = 32, bodies, interval = 1, pixelsPerMetre = 1, blendMode = 'normal' } = options;
   const history = new TrailHistory({ source, length, interval, ...(bodies === undefined ? {} : { bodies }) });
   const trails = new TrailTextures(history);
   const textures = SourceTextures.acquire(source);
@@ -72,6 +73,7 @@ export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
     container: mesh.container,
     history,
     update(alpha) {
+      mesh.assertDrawable();
       if (bodies === undefined) textures.syncIds();
       textures.syncPosition();
       textures.syncStyle();

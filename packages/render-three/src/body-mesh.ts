@@ -1,4 +1,4 @@
-import type { BodySource } from '@principia/render-core';
+import { type BodySource, sourceOf } from '@principia/render-core';
 import { Group, type Intersection, Mesh, type Object3D, type Raycaster, type WebGLRenderer } from 'three';
 import { colorBytes } from './body-color.ts';
 import type { BodyMeshOptions, BodyPass } from './body-pass.ts';
@@ -38,11 +38,12 @@ export interface BodyMesh {
  * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0; as impostors, bodies whose colliders
  * are polygons are plates, as thick as they are narrow, and capsules are capsules.
  *
- * @throws Error when `segments` is not a whole number of at least 3, `geometry` is given for impostors, `material`
+ * @throws Error when there is no source, `segments` is not a whole number of at least 3, `geometry` is given for impostors, `material`
  * draws another body mesh, or a column has another length than `rows`
  */
 export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
-  const { source, defaultColor = 0x8fb8ff, segments, geometry, minPixelRadius = 0.75 } = options;
+  const source = sourceOf(options, 'createBodyMesh');
+  const { defaultColor = 0x8fb8ff, segments, geometry, minPixelRadius = 0.75 } = options;
   const form = options.form ?? (segments !== undefined || geometry !== undefined ? 'mesh' : 'impostor');
   if (form === 'impostor' && geometry !== undefined) {
     throw new Error("impostors have no geometry: leave out form: 'impostor' or the geometry");

@@ -5,13 +5,16 @@ import type { OrthographicCamera, PerspectiveCamera, WebGLRenderer } from 'three
  * Keeps a renderer as large as the parent element of its canvas, at the display's pixel ratio but at most 2, and the
  * camera's shape with it. A parallel camera keeps its height.
  *
- * @throws Error when the renderer's canvas is not on the page
+ * @throws Error when there is no renderer or no camera, or the renderer's canvas is not on the page
  */
 export function fitRendererToParent(
   renderer: WebGLRenderer,
   camera: PerspectiveCamera | OrthographicCamera,
   options: ViewportOptions & { onResize?(width: number, height: number): void } = {},
 ): Viewport {
+  if (renderer?.domElement === undefined || typeof camera?.updateProjectionMatrix !== 'function') {
+    throw new Error('fitRendererToParent needs a renderer and its camera: fitRendererToParent(renderer, camera)');
+  }
   return watchViewport(
     renderer.domElement,
     (width, height, resolution) => {

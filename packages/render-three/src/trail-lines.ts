@@ -1,4 +1,4 @@
-import { TrailHistory, type TrailOptions } from '@principia/render-core';
+import { sourceOf, TrailHistory, type TrailOptions } from '@principia/render-core';
 import { Group, type Object3D } from 'three';
 import { trailSegments } from './shaders/trail-segments.ts';
 import { type TrailColors, TrailTextures } from './trail-textures.ts';
@@ -36,7 +36,8 @@ const MAX_LENGTH = 2048;
  * @throws Error when `length` is below 2 or above 2048, or `bodies` names an id outside the source
  */
 export function createTrailLines(options: TrailLinesOptions): TrailLines {
-  const { source, width = 1.5, opacity = 0.8 } = options;
+  const source = sourceOf(options, 'createTrailLines');
+  const { width = 1.5, opacity = 0.8 } = options;
   if (options.length > MAX_LENGTH) {
     throw new Error(`trails can have at most ${MAX_LENGTH} points, got ${options.length}: raise interval instead`);
   }
