@@ -33,6 +33,6 @@ export const chains = defineScene({
       const load = spawn(world, { position: end, rotation: 0, collider: ball });
       createJoint(world, revolute({ a: last, b: load, anchor: end }));
     }
-    return { ...runOf(world), losesEnergy: 'joints pull together what is apart, which costs energy' };
+    return { ...runOf(world), losesEnergy: 'what swings on joints keeps its energy to second order only' };
   },
 });

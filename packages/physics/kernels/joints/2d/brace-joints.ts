@@ -6,7 +6,7 @@
 // would burst.
 // Sources: Tournier et al., Stable Constrained Dynamics (SIGGRAPH 2015); Andrews et al., Geometric Stiffness for Real-time
 // Constrained Multibody Dynamics (Eurographics 2017).
-import { poseOf, word } from '../../solver/2d/body';
+import { poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { openAxes } from '../../solver/2d/motion-locks';
 import { articulated } from './articulated-body';
@@ -19,6 +19,14 @@ export class JointedBody {
   inverseInertia: f64;
   // Torque by which pulling joints turn the body back, times the length of a sub-step, for each radian, N m s.
   stiffness: f64;
+  // Number of joints that hold it.
+  joints: f64;
+  // Half of a sub-step, s, for its chords (chords.ts); 0 for a body that is held at two ends and whose inertia was raised.
+  halfStep: f64;
+  // Velocity at the end of the last sub-step; kept up to date for joints with rows.
+  vx: f64;
+  vy: f64;
+  w: f64;
 }
 
 export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();
@@ -34,20 +42,35 @@ export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();
   const body = jointed(t, row);
   body.inverseInertia = <f64>poseOf(rigid, row).inverseInertia;
   body.stiffness = 0;
+  body.joints = 0;
+  body.halfStep = 0.5 * rigid.h;
+}
+
+// @ts-ignore: decorator
+@inline export function keepVelocity(t: JointTable, rigid: RigidTable, row: i32): void {
+  const body = jointed(t, row);
+  const state = stateOf(rigid, row);
+  body.vx = <f64>state.vx;
+  body.vy = <f64>state.vy;
+  body.w = <f64>state.w;
 }
 
 // Adds h k of a body by an impulse of the last sub-step, which is a force times h, at an arm from its centre.
 // @ts-ignore: decorator
 @inline export function stiffen(t: JointTable, row: i32, x: f64, y: f64, armX: f64, armY: f64): void {
-  jointed(t, row).stiffness += x * armX + y * armY;
+  const body = jointed(t, row);
+  body.stiffness += x * armX + y * armY;
+  body.joints += 1;
 }
 
 // A body that may not turn has this many times its mass as inertia, kg m²: enough digits are left.
 const LOCKED_INERTIA: f64 = 1e8;
 
 // The masses of all bodies of trees, and their inertias for this step; `least` is h² |k|. A body whose centre is held keeps its
-// own: joints that cannot close would pull ever harder at an inertia that grows with their pull.
-export function braceBodies(t: JointTable, rigid: RigidTable): void {
+// own: joints that cannot close would pull ever harder at an inertia that grows with their pull. Returns whether a body that
+// several joints hold got more.
+export function braceBodies(t: JointTable, rigid: RigidTable): bool {
+  let any = false;
   for (let i = 0; i < t.bodyCount; i++) {
     const row = word(t.bodyRows, i);
     if (row == 0) continue;
@@ -60,5 +83,9 @@ export function braceBodies(t: JointTable, rigid: RigidTable): void {
     body.inertia = least;
     seen.inverseInertia = 1 / least;
     poseOf(rigid, row).inverseInertia = <real>seen.inverseInertia;
+    if (seen.joints < 2) continue;
+    seen.halfStep = 0;
+    any = true;
   }
+  return any;
 }

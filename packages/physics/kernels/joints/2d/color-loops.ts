@@ -6,7 +6,8 @@ import { LANES, splat } from '../../memory/lanes';
 import { BodyPose, poseOf, putWord, stateOf, word } from '../../solver/2d/body';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { jointed, stiffen } from './brace-joints';
+import { JointedBody, jointed, keepVelocity, stiffen } from './brace-joints';
+import { bend } from './chords';
 import { JointTable, impulsesOf } from './joint-table';
 import { LOOP } from './joint-trees';
 import { isPlainHinge } from './list-active';
@@ -113,6 +114,8 @@ export function beginLoops(t: JointTable, rigid: RigidTable): void {
   put(at + block.MASS_BY, l, inverseMassY(rigid, rowB));
   put(at + block.START_X, l, b.x - a.x);
   put(at + block.START_Y, l, b.y - a.y);
+  keepVelocity(t, rigid, rowA);
+  keepVelocity(t, rigid, rowB);
   const x = <f64>get(at + block.IMPULSE_X, l);
   const y = <f64>get(at + block.IMPULSE_Y, l);
   fillAnchor(t, a, at + block.START_AX, l, rowA, get(t.ax, id), get(t.ay, id), -x, -y);
@@ -138,13 +141,28 @@ export function beginLoops(t: JointTable, rigid: RigidTable): void {
   stiffen(t, row, impulseX, impulseY, <f64>x, <f64>y);
 }
 
+// @ts-ignore: decorator
+@inline function braceBody(
+  at: usize,
+  l: i32,
+  inertia: usize,
+  halfStep: usize,
+  bends: usize,
+  body: JointedBody,
+): void {
+  put(at + inertia, l, <real>body.inverseInertia);
+  put(at + halfStep, l, <real>body.halfStep);
+  put(at + bends, l, <real>bend(body.w, body.halfStep));
+}
+
 // The inertias that they see in this step (brace-joints.ts).
 export function braceLoops(t: JointTable): void {
   for (let i = 0; i < t.blockCount; i++) {
     const at = blockOf(t, i);
     for (let l = 0; l < LANES; l++) {
-      put(at + block.INERTIA_A, l, <real>jointed(t, word(at + block.ROW_A, l)).inverseInertia);
-      put(at + block.INERTIA_B, l, <real>jointed(t, word(at + block.ROW_B, l)).inverseInertia);
+      if (word(at + block.JOINT, l) < 0) continue;
+      braceBody(at, l, block.INERTIA_A, block.HALF_STEP_A, block.BEND_A, jointed(t, word(at + block.ROW_A, l)));
+      braceBody(at, l, block.INERTIA_B, block.HALF_STEP_B, block.BEND_B, jointed(t, word(at + block.ROW_B, l)));
     }
   }
 }

@@ -48,7 +48,7 @@ export function predictLimits(t: JointTable, rigid: RigidTable, k: i32): void {
 // Which limits of a joint its present speed passes within the sub-step.
 function passedLimits(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
   const row = rowOf(work, SPRING_ROW);
-  const then = row.error + rigid.h * speedAlong(stateA(rigid, work), stateB(rigid, work), row);
+  const then = row.error + rigid.h * (row.chord + speedAlong(stateA(rigid, work), stateB(rigid, work), row));
   return (
     (then < <f64>get(t.lower, work.id) ? PASSES_LOWER : 0) | (then > <f64>get(t.upper, work.id) ? PASSES_UPPER : 0)
   );
@@ -93,6 +93,7 @@ function lock(work: JointWork, from: JointRow, side: i32, error: f64): void {
   to.armA = from.armA;
   to.armB = from.armB;
   to.error = error;
+  to.chord = from.chord;
   work.limit = side;
 }
 

@@ -15,6 +15,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, ArticulatedMass, massBeside } from './articulated-body';
 import { jointed } from './brace-joints';
+import { bend, partOfChord } from './chords';
 import { JointTable } from './joint-table';
 import { HingeStart, JointPlace } from './joint-work';
 import { finite } from './joint-rows';
@@ -36,8 +37,32 @@ export const COMPLIANCE: f64 = 1e-4;
   at.parentY = py;
   at.childX = cx;
   at.childY = cy;
+  measureChord(at, c, start);
   start.errorX = start.x + (<f64>c.dx - <f64>p.dx) + cx - px;
   start.errorY = start.y + (<f64>c.dy - <f64>p.dy) + cy - py;
+}
+
+// @ts-ignore: decorator
+@inline function measureChord(at: JointPlace, child: BodyState, start: HingeStart): void {
+  const above = changetype<ArticulatedBody>(at.above);
+  let vx = <f64>child.vx;
+  let vy = <f64>child.vy;
+  let w = <f64>child.w;
+  if (at.below != 0) {
+    const below = changetype<ArticulatedBody>(at.below);
+    vx = below.vx;
+    vy = below.vy;
+    w = below.w;
+  }
+  const bendParent = bend(above.w, start.halfStepParent);
+  const bendChild = bend(w, start.halfStepChild);
+  const x = bendParent * at.parentX - bendChild * at.childX;
+  const y = bendParent * at.parentY - bendChild * at.childY;
+  const ux = vx - w * at.childY - (above.vx - above.w * at.parentY);
+  const uy = vy + w * at.childX - (above.vy + above.w * at.parentX);
+  const part = partOfChord(x, y, ux, uy);
+  at.chordX = part * x;
+  at.chordY = part * y;
 }
 
 // From the ends of the tree: what the parent bears. With `factor`, also the matrices.
@@ -55,8 +80,8 @@ export const COMPLIANCE: f64 = 1e-4;
   const to = changetype<ArticulatedBody>(at.above);
   const x = -at.parentY;
   const y = at.parentX;
-  let gx = at.valueX;
-  let gy = at.valueY;
+  let ux = at.chordX;
+  let uy = at.chordY;
   if (factor) {
     const wx = at.k00 * x + at.k01 * y;
     const wy = at.k01 * x + at.k11 * y;
@@ -67,9 +92,12 @@ export const COMPLIANCE: f64 = 1e-4;
     mass.m02 += wx;
     mass.m12 += wy;
     mass.m22 += x * wx + y * wy;
-    gx += bias * (at.k00 * start.errorX + at.k01 * start.errorY);
-    gy += bias * (at.k01 * start.errorX + at.k11 * start.errorY);
+    ux += bias * start.errorX;
+    uy += bias * start.errorY;
   }
+  // In this order, because the values are known last.
+  const gx = at.valueX + (at.k00 * ux + at.k01 * uy);
+  const gy = at.valueY + (at.k01 * ux + at.k11 * uy);
   to.gx += gx;
   to.gy += gy;
   to.gw += x * gx + y * gy;
@@ -151,12 +179,15 @@ export const COMPLIANCE: f64 = 1e-4;
   soft: bool,
 ): void {
   const from = changetype<ArticulatedBody>(at.above);
-  let ux = from.vx - from.w * at.parentY;
-  let uy = from.vy + from.w * at.parentX;
+  let awayX = at.chordX;
+  let awayY = at.chordY;
   if (soft) {
-    ux -= bias * start.errorX;
-    uy -= bias * start.errorY;
+    awayX += bias * start.errorX;
+    awayY += bias * start.errorY;
   }
+  // In this order, because the angular velocity of the parent is known before its velocity.
+  const ux = from.vx - (from.w * at.parentY + awayX);
+  const uy = from.vy + (from.w * at.parentX - awayY);
   const x = finite(at.k00 * ux + at.k01 * uy - at.valueX);
   const y = finite(at.k01 * ux + at.k11 * uy - at.valueY);
   at.impulseX = soft ? softness.massScale * x : at.impulseX + x;

@@ -11,6 +11,8 @@ export class JointRow {
   armB: f64;
   // How far the direction is from where it should be, m or rad.
   error: f64;
+  // Its chord (chords.ts), m/s.
+  chord: f64;
   // Of a locked direction: an intermediate of the solution.
   value: f64;
 }
@@ -55,6 +57,14 @@ export class JointWork {
   rby: f64;
   dx: f64;
   dy: f64;
+  // For its chords (chords.ts): the bends of both bodies, the velocity of the anchor of b from that of a, m/s, the
+  // angular velocity of a, rad/s, and the lesser half step of both, s.
+  bendA: f64;
+  bendB: f64;
+  slideX: f64;
+  slideY: f64;
+  turning: f64;
+  halfStep: f64;
   // Largest angular impulse of a sub-step.
   largestTurn: f64;
   // Anchors in the axes of the bodies.
@@ -76,6 +86,9 @@ export class HingeStart {
   y: f64;
   errorX: f64;
   errorY: f64;
+  // Half steps of the parent and of the child (brace-joints.ts), s.
+  halfStepParent: f64;
+  halfStepChild: f64;
 }
 
 // What is read of a joint in every pass, side by side: its place in a tree, and a hinge (hinge-locks.ts).
@@ -106,6 +119,9 @@ export class JointPlace {
   parentY: f64;
   childX: f64;
   childY: f64;
+  // Chord of the anchor of the child from that of the parent (chords.ts), m/s.
+  chordX: f64;
+  chordY: f64;
   // Intermediates of the solution, and the impulse on the child.
   valueX: f64;
   valueY: f64;
@@ -119,7 +135,7 @@ export class JointPlace {
 export const PLAIN: i32 = 1;
 export const WARM: i32 = 2;
 
-const ROW: usize = 48;
+const ROW: usize = offsetof<JointRow>();
 const ROWS: usize = 5 * ROW;
 const SIZE: usize = offsetof<JointWork>();
 

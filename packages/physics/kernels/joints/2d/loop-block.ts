@@ -39,7 +39,15 @@ export const K11: usize = 25 * V;
 export const IMPULSE_X: usize = 26 * V;
 export const IMPULSE_Y: usize = 27 * V;
 export const LARGEST: usize = 28 * V;
-export const LOOP_BLOCK: usize = 29 * V;
+// Bends of both bodies at the end of the last sub-step, and the chord between the anchors (chords.ts).
+export const BEND_A: usize = 29 * V;
+export const BEND_B: usize = 30 * V;
+export const CHORD_X: usize = 31 * V;
+export const CHORD_Y: usize = 32 * V;
+// Half steps of both bodies (brace-joints.ts), s.
+export const HALF_STEP_A: usize = 33 * V;
+export const HALF_STEP_B: usize = 34 * V;
+export const LOOP_BLOCK: usize = 35 * V;
 
 // @ts-ignore: decorator
 @inline export function blockOf(t: JointTable, i: i32): usize {

@@ -4,6 +4,7 @@ import { cosine, sine } from '../../math/elementary';
 import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
+import { chordOfLength, chordOfPoints, measureBends, partOfChord, withinSpeed } from './chords';
 import { measureHinge } from './hinge-locks';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
@@ -51,6 +52,7 @@ function locate(t: JointTable, work: JointWork): void {
   work.ray = ray;
   work.rbx = rbx;
   work.rby = rby;
+  measureBends(t, work);
 }
 
 // The angle of b from a, less that of the joint, rad.
@@ -77,16 +79,17 @@ function measureLocks(t: JointTable, work: JointWork): void {
   if (kind == GEAR) measureGear(t, work);
 }
 
-function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64): void {
+function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64, chord: f64): void {
   row.x = x;
   row.y = y;
   row.armA = armA;
   row.armB = armB;
   row.error = error;
+  row.chord = chord;
 }
 
 function aboutAngle(row: JointRow, angle: f64): void {
-  setRow(row, 0, 0, 1, 1, angle);
+  setRow(row, 0, 0, 1, 1, angle, 0);
 }
 
 // Spring, limits and motor of a hinge or a weld.
@@ -96,8 +99,11 @@ function turnAbout(work: JointWork, angle: f64): void {
 }
 
 function lockPoint(work: JointWork): void {
-  setRow(rowOf(work, 0), 1, 0, -work.ray, -work.rby, work.dx);
-  setRow(rowOf(work, 1), 0, 1, work.rax, work.rbx, work.dy);
+  const x = chordOfPoints(work, 1, 0);
+  const y = chordOfPoints(work, 0, 1);
+  const part = partOfChord(x, y, work.slideX, work.slideY);
+  setRow(rowOf(work, 0), 1, 0, -work.ray, -work.rby, work.dx, part * x);
+  setRow(rowOf(work, 1), 0, 1, work.rax, work.rbx, work.dy, part * y);
   work.locks = 2;
 }
 
@@ -128,12 +134,22 @@ function alongAxis(t: JointTable, work: JointWork, keepsAngle: bool): void {
   const py = work.ray + dy;
   const acrossB = work.rbx * ux + work.rby * uy;
   const alongB = work.rbx * uy - work.rby * ux;
-  setRow(rowOf(work, 0), -uy, ux, px * ux + py * uy, acrossB, dy * ux - dx * uy);
+  const along = dx * ux + dy * uy;
+  const across = dy * ux - dx * uy;
+  const slideAlong = work.slideX * ux + work.slideY * uy;
+  const slideAcross = work.slideY * ux - work.slideX * uy;
+  const w = work.turning;
+  const turn = 2 * work.halfStep * w;
+  const bentAcross = chordOfPoints(work, -uy, ux) - turn * slideAlong - work.bendA * across;
+  const bentAlong = chordOfPoints(work, ux, uy) + turn * slideAcross - work.bendA * along;
+  const chordAcross = withinSpeed(bentAcross, slideAcross - w * along);
+  const chordAlong = withinSpeed(bentAlong, slideAlong + w * across);
+  setRow(rowOf(work, 0), -uy, ux, px * ux + py * uy, acrossB, across, chordAcross);
   work.locks = 1;
-  setRow(rowOf(work, SPRING_ROW), ux, uy, px * uy - py * ux, alongB, dx * ux + dy * uy);
+  setRow(rowOf(work, SPRING_ROW), ux, uy, px * uy - py * ux, alongB, along, chordAlong);
   if (keepsAngle) {
     lockAngle(t, work, 1);
-    setRow(rowOf(work, MOTOR_ROW), ux, uy, px * uy - py * ux, alongB, dx * ux + dy * uy);
+    setRow(rowOf(work, MOTOR_ROW), ux, uy, px * uy - py * ux, alongB, along, 0);
   } else if (work.hasAxes != 0) {
     // The motor of a wheel turns it.
     aboutAngle(rowOf(work, MOTOR_ROW), angleBetween(t, work));
@@ -149,9 +165,12 @@ function alongLine(t: JointTable, work: JointWork): void {
   const uy = near ? 0 : work.dy / distance;
   const armA = work.rax * uy - work.ray * ux;
   const armB = work.rbx * uy - work.rby * ux;
-  setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance);
-  setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance);
+  const across = work.slideY * ux - work.slideX * uy;
+  const bent = chordOfPoints(work, ux, uy) + (near ? 0 : chordOfLength(distance, across, work.halfStep));
+  const chord = withinSpeed(bent, work.slideX * ux + work.slideY * uy);
+  setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance, chord);
+  setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance, 0);
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
-  setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id));
+  setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id), chord);
   work.locks = 1;
 }

@@ -1,9 +1,10 @@
 // Begins a step of the joints: which of them act, with which masses, from where.
 import { get } from '../../memory/columns';
-import { DRIVEN, flagsOf, poseOf, putFlags, word } from '../../solver/2d/body';
+import { DRIVEN, flagsOf, poseOf, putFlags, stateOf, word } from '../../solver/2d/body';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { braceBodies, jointed, startJointed, stiffen } from './brace-joints';
+import { articulated } from './articulated-body';
+import { braceBodies, jointed, keepVelocity, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops } from './color-loops';
 import { JointTable, MOTOR, impulsesOf } from './joint-table';
 import { PARENT_B } from './joint-trees';
@@ -20,7 +21,15 @@ export function prepareJoints(table: usize): void {
   rigid.links = t.links;
   wakeJoined(t, rigid);
   if (listActive(t, rigid)) layOutJoints(t, rigid);
-  for (let i = 0; i < t.bodyCount; i++) startJointed(t, rigid, word(t.bodyRows, i));
+  for (let i = 0; i < t.bodyCount; i++) {
+    const row = word(t.bodyRows, i);
+    startJointed(t, rigid, row);
+    const body = articulated(t, i);
+    const state = stateOf(rigid, row);
+    body.vx = <f64>state.vx;
+    body.vy = <f64>state.vy;
+    body.w = <f64>state.w;
+  }
   for (let k = t.treeCount; k < t.workCount; k++) {
     startJointed(t, rigid, workAt(t, k).a);
     startJointed(t, rigid, workAt(t, k).b);
@@ -30,8 +39,9 @@ export function prepareJoints(table: usize): void {
     if (placeAt(t, k).hinge != 0) beginHinge(t, rigid, k);
   }
   beginLoops(t, rigid);
-  braceBodies(t, rigid);
+  const braced = braceBodies(t, rigid);
   braceLoops(t);
+  for (let k = 0; braced && k < t.workCount; k++) if (placeAt(t, k).hinge != 0) braceHinge(t, k);
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) if (placeAt(t, k).hinge != PLAIN) braceRows(t, k);
 }
 
@@ -48,6 +58,8 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   work.massBx = <f64>inverseMassX(rigid, work.rowB);
   work.massBy = <f64>inverseMassY(rigid, work.rowB);
   work.largestTurn = 0;
+  keepVelocity(t, rigid, work.a);
+  keepVelocity(t, rigid, work.b);
   const at = placeAt(t, k);
   at.largest = 0;
   at.turns = poseOf(rigid, at.childRow).inverseInertia > 0 ? 1 : 0;
@@ -75,6 +87,14 @@ function braceRows(t: JointTable, k: i32): void {
 }
 
 // @ts-ignore: decorator
+@inline function braceHinge(t: JointTable, k: i32): void {
+  const at = placeAt(t, k);
+  const start = startAt(t, k);
+  start.halfStepParent = jointed(t, at.parentRow).halfStep;
+  start.halfStepChild = jointed(t, at.childRow).halfStep;
+}
+
+// @ts-ignore: decorator
 @inline function beginHinge(t: JointTable, rigid: RigidTable, k: i32): void {
   const at = placeAt(t, k);
   const start = startAt(t, k);
@@ -93,6 +113,8 @@ function braceRows(t: JointTable, k: i32): void {
   start.childY = <f64>child.s * cx + <f64>child.c * cy;
   start.x = <f64>child.x - <f64>parent.x;
   start.y = <f64>child.y - <f64>parent.y;
+  start.halfStepParent = 0.5 * rigid.h;
+  start.halfStepChild = 0.5 * rigid.h;
   at.largest = 0;
   at.turns = child.inverseInertia > 0 ? 1 : 0;
   stiffen(t, at.childRow, at.impulseX, at.impulseY, start.childX, start.childY);

@@ -1,6 +1,6 @@
 // Solves the rows along the free direction of a joint: spring, motor and limits, one row each.
 //
-//   spring   a damped spring of frequency f and damping ratio ζ about its rest, solved implicitly (softness.ts)
+//   spring   a damped spring of frequency f and damping ratio ζ about its rest (softness.ts)
 //   motor    Δλ = -m (u - speed), |λ| at most the largest force times h
 //   limits   Δλ = -m (u + s/h) where the limit is s away, else soft as a locked direction; λ >= 0; those of joints in trees are
 //            solved with these (engage-limits.ts)
@@ -9,7 +9,7 @@
 import { get } from '../../memory/columns';
 import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { soften, softness } from '../../solver/2d/softness';
+import { softenSpring, softness } from '../../solver/2d/softness';
 import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
@@ -39,7 +39,7 @@ function solveSpring(t: JointTable, work: JointWork, a: BodyState, b: BodyState,
   const id = work.id;
   const row = rowOf(work, SPRING_ROW);
   const rest = work.kind == DISTANCE ? <f64>get(t.length, id) : 0;
-  soften(<f64>get(t.hertz, id), <f64>get(t.dampingRatio, id), h);
+  softenSpring(<f64>get(t.hertz, id), <f64>get(t.dampingRatio, id), h);
   const bias = softness.biasRate * (row.error - rest);
   const wanted = softImpulse(coupling(work, row, row), speedAlong(a, b, row) + bias, to.spring);
   const impulse = withinForce(wanted, to.spring, <f64>get(t.maxForce, id) * h);
@@ -71,11 +71,11 @@ function solveLimits(t: JointTable, work: JointWork, a: BodyState, b: BodyState,
   softenJoint(rigid);
   const k = coupling(work, row, row);
   const low = row.error - <f64>get(t.lower, work.id);
-  const up = limitImpulse(k, speedAlong(a, b, row), low, to.lower, rigid.h, soft);
+  const up = limitImpulse(k, speedAlong(a, b, row) + row.chord, low, to.lower, rigid.h, soft);
   to.lower += up;
   applyAlong(work, a, b, row, up);
   const high = <f64>get(t.upper, work.id) - row.error;
-  const down = limitImpulse(k, -speedAlong(a, b, row), high, to.upper, rigid.h, soft);
+  const down = limitImpulse(k, -speedAlong(a, b, row) - row.chord, high, to.upper, rigid.h, soft);
   to.upper += down;
   applyAlong(work, a, b, row, -down);
 }

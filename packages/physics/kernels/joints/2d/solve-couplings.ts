@@ -10,6 +10,8 @@ import { cosine, sine } from '../../math/elementary';
 import { BodyState, poseOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
+import { JointedBody, jointed } from './brace-joints';
+import { bend, chordOfLength, withinSpeed } from './chords';
 import { JointImpulses, JointTable, PULLEY } from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf } from './joint-work';
 import { stateA, stateB } from './joint-rows';
@@ -38,6 +40,11 @@ export function measurePulley(t: JointTable, work: JointWork): void {
   const by = <f64>b.y + <f64>stateB(rigid, work).dy + rby - <f64>get(t.pulleyBy, id);
   const ropeA = shorten(rowOf(work, ROW_A), ax, ay, rax, ray, 1);
   const ropeB = shorten(rowOf(work, ROW_B), bx, by, rbx, rby, ratio);
+  const chordA = chordOfRope(rowOf(work, ROW_A), jointed(t, work.a), rax, ray, ropeA, 1);
+  const chordB = chordOfRope(rowOf(work, ROW_B), jointed(t, work.b), rbx, rby, ropeB, ratio);
+  const speedA = speedOfRope(rowOf(work, ROW_A), jointed(t, work.a));
+  const speedB = speedOfRope(rowOf(work, ROW_B), jointed(t, work.b));
+  rowOf(work, ROW_B).chord = withinSpeed(chordA + chordB, speedA + speedB);
   rowOf(work, ROW_B).error = <f64>get(t.length, id) - ropeA - ratio * ropeB;
 }
 
@@ -50,6 +57,19 @@ function shorten(row: JointRow, x: f64, y: f64, rx: f64, ry: f64, ratio: f64): f
   row.armA = rx * row.y - ry * row.x;
   row.armB = row.armA;
   return length;
+}
+
+// How fast a rope got shorter at the end of the last sub-step.
+function speedOfRope(row: JointRow, body: JointedBody): f64 {
+  return row.x * body.vx + row.y * body.vy + row.armA * body.w;
+}
+
+// The chord (chords.ts) of a rope that gets shorter along a row, `ratio` times; its body is held at (rx, ry) from its centre.
+function chordOfRope(row: JointRow, body: JointedBody, rx: f64, ry: f64, length: f64, ratio: f64): f64 {
+  if (!(length > MIN_ROPE) || ratio == 0) return 0;
+  const across = (row.x * (body.vy + body.w * rx) - row.y * (body.vx - body.w * ry)) / ratio;
+  const turning = bend(body.w, body.halfStep) * (row.x * rx + row.y * ry);
+  return -ratio * chordOfLength(length, across, body.halfStep) - turning;
 }
 
 export function measureGear(t: JointTable, work: JointWork): void {
@@ -93,7 +113,7 @@ export function solveCoupling(t: JointTable, work: JointWork, impulses: JointImp
   const k = inverseMassOf(work);
   softenJoint(rigid);
   if (work.kind == PULLEY) {
-    const pull = limitImpulse(k, speedOf(work, a, b), gap, impulses.upper, rigid.h, soft);
+    const pull = limitImpulse(k, speedOf(work, a, b) + rowOf(work, ROW_B).chord, gap, impulses.upper, rigid.h, soft);
     impulses.upper += pull;
     return exert(work, a, b, pull);
   }

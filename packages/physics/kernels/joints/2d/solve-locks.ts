@@ -2,7 +2,7 @@
 // its end is: with the Jacobian J, the masses M and velocities v that no joint of the tree has changed in this sub-step, the
 // velocities v* with the least (v* - v)ᵀ M (v* - v) for which
 //
-//   J v* = -r C           v += q (v* - v)        λ = q M (v* - v)            r, q: bias rate and mass scale (softness.ts)
+//   J v* = -r C - c       v += q (v* - v)        λ = q M (v* - v)            r, q: bias rate and mass scale (softness.ts)
 //
 // From the ends of a tree towards its root, each joint adds to the mass and the momentum of its parent what hangs below it,
 // seen through the joint; from the root back each body gets its velocity: as many operations as there are joints. What the
@@ -205,10 +205,10 @@ function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, factor
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
-  bias *= signOf(at);
-  r0.value = bias * r0.error;
-  r1.value = bias * r1.error;
-  r2.value = bias * r2.error;
+  const sign = signOf(at);
+  r0.value = sign * (bias * r0.error + r0.chord);
+  r1.value = sign * (bias * r1.error + r1.chord);
+  r2.value = sign * (bias * r2.error + r2.chord);
   const vx = <f64>state.vx;
   const vy = <f64>state.vy;
   const w = <f64>state.w;
@@ -287,9 +287,9 @@ function exertLoop(t: JointTable, rigid: RigidTable, k: i32, bias: f64): void {
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
-  const v0 = speedAlong(a, b, r0) + bias * r0.error;
-  const v1 = speedAlong(a, b, r1) + bias * r1.error;
-  const v2 = speedAlong(a, b, r2) + bias * r2.error;
+  const v0 = speedAlong(a, b, r0) + bias * r0.error + r0.chord;
+  const v1 = speedAlong(a, b, r1) + bias * r1.error + r1.chord;
+  const v2 = speedAlong(a, b, r2) + bias * r2.error + r2.chord;
   const impulses = impulsesOf(t, work.id);
   const massScale = softness.massScale;
   const impulseScale = softness.impulseScale;

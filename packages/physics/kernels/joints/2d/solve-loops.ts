@@ -41,6 +41,10 @@ export function startLoops(t: JointTable): void {
   v128.store(at, ay, block.AY);
   v128.store(at, bx, block.BX);
   v128.store(at, by, block.BY);
+  const bendA = v128.load(at, block.BEND_A);
+  const bendB = v128.load(at, block.BEND_B);
+  v128.store(at, sub(mul(bendA, ax), mul(bendB, bx)), block.CHORD_X);
+  v128.store(at, sub(mul(bendA, ay), mul(bendB, by)), block.CHORD_Y);
   const dx = add(sub(gathered.x, movedX), sub(bx, ax));
   const dy = add(sub(gathered.y, movedY), sub(by, ay));
   v128.store(at, add(v128.load(at, block.START_X), dx), block.ERROR_X);
@@ -111,8 +115,8 @@ function solveBlock(at: usize, bias: v128, massScale: v128, impulseScale: v128, 
   let x = v128.load(at, block.IMPULSE_X);
   let y = v128.load(at, block.IMPULSE_Y);
   if (pass != WARM) {
-    let ux = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
-    let uy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
+    let ux = add(v128.load(at, block.CHORD_X), sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay))));
+    let uy = add(v128.load(at, block.CHORD_Y), sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax))));
     if (pass == SOFT) {
       ux = add(ux, mul(bias, v128.load(at, block.ERROR_X)));
       uy = add(uy, mul(bias, v128.load(at, block.ERROR_Y)));
@@ -139,8 +143,19 @@ function solveBlock(at: usize, bias: v128, massScale: v128, impulseScale: v128, 
   const myB = v128.load(at, block.MASS_BY);
   const wOfA = sub(wA, mul(v128.load(at, block.INERTIA_A), sub(mul(ax, y), mul(ay, x))));
   const wOfB = add(wB, mul(v128.load(at, block.INERTIA_B), sub(mul(bx, y), mul(by, x))));
+  if (pass == RIGID) {
+    v128.store(at, bend(wOfA, v128.load(at, block.HALF_STEP_A)), block.BEND_A);
+    v128.store(at, bend(wOfB, v128.load(at, block.HALF_STEP_B)), block.BEND_B);
+  }
   scatter(at + block.A, sub(vxA, mul(mxA, x)), sub(vyA, mul(myA, y)), wOfA, turnedA);
   scatter(at + block.B, add(vxB, mul(mxB, x)), add(vyB, mul(myB, y)), wOfB, turnedB);
+}
+
+// As in chords.ts.
+// @ts-ignore: decorator
+@inline function bend(w: v128, halfStep: v128): v128 {
+  const speed = v128.abs<real>(w);
+  return mul(speed, v128.min<real>(mul(halfStep, speed), splat(0.5)));
 }
 
 // What is not finite, or nearly so, becomes 0.

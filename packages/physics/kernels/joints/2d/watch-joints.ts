@@ -3,7 +3,7 @@ import { get } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
 import { putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { stiffen } from './brace-joints';
+import { keepVelocity, stiffen } from './brace-joints';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
 import { GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf, lockAddress } from './joint-table';
@@ -27,6 +27,8 @@ export function watchJoint(t: JointTable, k: i32): void {
     sumLocks(work, impulses);
   }
   sumAxes(work, impulses);
+  keepVelocity(t, changetype<RigidTable>(t.rigid), work.a);
+  keepVelocity(t, changetype<RigidTable>(t.rigid), work.b);
   at.largest = max<f64>(at.largest, sumX * sumX + sumY * sumY);
   work.largestTurn = max<f64>(work.largestTurn, abs<f64>(sumTurn));
 }
