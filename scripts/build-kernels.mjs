@@ -108,13 +108,13 @@ function removeOthers(folder, files) {
  * @param {import('./lib/low-memory-map.mjs').LowMemoryMap} map
  */
 async function layoutsText(from, map) {
-  const layouts = await layoutsIn(from);
-  for (const { name, bytes } of layouts) {
+  const found = await layoutsIn(from);
+  for (const { name, bytes } of found.layouts) {
     if (name === 'Columns') roomFor(map, 'COLUMN_TABLE', bytes.f64, `The class ${name}`);
     if (name === 'Body') roomFor(map, 'WALL_BODIES', 2 * bytes.f64, `Two of the class ${name}`);
   }
   const addresses = [...map].map(([name, { start }]) => `export const ${name} = ${start};\n`).join('');
-  return `/* Addresses in a world's memory: kernels/memory/low-memory-map.ts. */\n${addresses}${layoutText(layouts)}`;
+  return `/* Addresses in a world's memory: kernels/memory/low-memory-map.ts. */\n${addresses}${layoutText(found)}`;
 }
 
 /**

@@ -1,6 +1,7 @@
 /**
- * The layouts of the records that kernels and TypeScript share: every exported `@unmanaged` class of the kernels. The
- * offsets are the compiler's own: it compiles a file of `offsetof<Class>('field')`, whose exports are read.
+ * The layouts of the records that kernels and TypeScript share: every exported `@unmanaged` class of the kernels, and every
+ * exported size of a block, which is no class. The offsets are the compiler's own: it compiles a file of
+ * `offsetof<Class>('field')`, whose exports are read.
  */
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { relative } from 'node:path';
@@ -12,22 +13,42 @@ import { cacheFolder } from './paths.mjs';
  * @typedef {{ name: string, place: string, fields: Field[] }} Class `place`: its file, in the folder of the kernels
  * @typedef {Class & { bytes: { f32: number, f64: number }, offsets: number[] }} Layout bytes, and offsets of the fields,
  *   in f64; fields after a `real` stand elsewhere in f32
+ * @typedef {{ name: string, place: string }} Size an exported constant, in bytes
+ * @typedef {Size & { bytes: { f32: number, f64: number } }} MeasuredSize
  */
 
 /** Bytes of what a field can be in a record that TypeScript reads; those of `real` depend on the precision. */
 const BYTES = { usize: 4, i32: 4, u32: 4, f32: 4, f64: 8 };
 
 /**
+ * The kernels' sources, by place.
+ * @param {string} folder
+ * @returns {(readonly [place: string, text: string])[]}
+ */
+function sourcesIn(folder) {
+  return readdirSync(folder, { recursive: true, encoding: 'utf8' })
+    .filter((name) => name.endsWith('.ts'))
+    .map((name) => name.replaceAll('\\', '/'))
+    .sort()
+    .map((place) => /** @type {const} */ ([place, readFileSync(`${folder}/${place}`, 'utf8')]));
+}
+
+/**
+ * @param {string} folder
+ * @returns {Size[]}
+ */
+function sizesIn(folder) {
+  return sourcesIn(folder).flatMap(([place, text]) =>
+    [...text.matchAll(/^(?:@inline )?export const (\w+_(?:SIZE|BLOCK)): usize/gm)].map(([, name]) => ({ name, place })),
+  );
+}
+
+/**
  * @param {string} folder
  * @returns {Class[]}
  */
 function classesIn(folder) {
-  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' })
-    .filter((name) => name.endsWith('.ts'))
-    .map((name) => name.replaceAll('\\', '/'))
-    .sort();
-  const classes = files.flatMap((place) => {
-    const text = readFileSync(`${folder}/${place}`, 'utf8');
+  const classes = sourcesIn(folder).flatMap(([place, text]) => {
     return [...text.matchAll(/^@unmanaged\nexport class (\w+) \{\n([\s\S]*?)^\}/gm)].map(([, name, body]) => {
       const fields = [...body.matchAll(/^ {2}(\w+): (\w+);/gm)].map(([, field, type]) => ({ name: field, type }));
       return { name, place, fields };
@@ -42,26 +63,29 @@ function classesIn(folder) {
 }
 
 /**
- * The layout of every shared class.
+ * The layout of every shared class, and every exported size.
  * @param {string} folder the folder of the kernels
- * @returns {Promise<Layout[]>}
+ * @returns {Promise<{ layouts: Layout[], sizes: MeasuredSize[] }>}
  */
 export async function layoutsIn(folder) {
   const classes = classesIn(folder);
-  if (classes.length === 0) return [];
+  const sizes = sizesIn(folder);
+  if (classes.length === 0) return { layouts: [], sizes: [] };
   mkdirSync(cacheFolder, { recursive: true });
   const output = mkdtempSync(`${cacheFolder}/layouts-`);
   try {
-    writeFileSync(`${output}/probe.ts`, probeOf(classes, relative(output, folder).replaceAll('\\', '/')));
+    writeFileSync(`${output}/probe.ts`, probeOf(classes, sizes, relative(output, folder).replaceAll('\\', '/')));
     const entry = `${relative(folder, output)}/probe.ts`;
     const measure = async (/** @type {'f32' | 'f64'} */ precision) =>
       numbersOf((await compile(folder, entry, precision, output, ['--use', `real=${precision}`])).wasm);
     const [f32, f64] = await Promise.all([measure('f32'), measure('f64')]);
-    return classes.map((each, c) => ({
+    const bytesOf = (/** @type {string} */ name) => ({ f32: f32(name), f64: f64(name) });
+    const layouts = classes.map((each, c) => ({
       ...each,
-      bytes: { f32: f32(`bytes${c}`), f64: f64(`bytes${c}`) },
+      bytes: bytesOf(`bytes${c}`),
       offsets: each.fields.map((_, f) => f64(`offset${c}_${f}`)),
     }));
+    return { layouts, sizes: sizes.map((size, s) => ({ ...size, bytes: bytesOf(`size${s}`) })) };
   } finally {
     rmSync(output, { recursive: true, force: true });
   }
@@ -70,16 +94,22 @@ export async function layoutsIn(folder) {
 /**
  * A record takes a multiple of its alignment, so that records can follow each other.
  * @param {Class[]} classes
+ * @param {Size[]} sizes
  * @param {string} folder
  */
-function probeOf(classes, folder) {
+function probeOf(classes, sizes, folder) {
+  const from = (/** @type {string} */ place) => `from '${folder}/${place.replace(/\.ts$/, '')}';`;
+  const ofSizes = sizes.flatMap(({ name, place }, s) => [
+    `import { ${name} } ${from(place)}`,
+    `export const size${s}: usize = ${name};`,
+  ]);
   const lines = classes.flatMap(({ name, place, fields }, c) => [
-    `import { ${name} } from '${folder}/${place.replace(/\.ts$/, '')}';`,
+    `import { ${name} } ${from(place)}`,
     ...fields.map((field, f) => `export const offset${c}_${f}: usize = offsetof<${name}>('${field.name}');`),
     `const align${c}: usize = ${fields.map(({ type }) => `sizeof<${type}>()`).reduce((a, b) => `max<usize>(${a}, ${b})`)};`,
     `export const bytes${c}: usize = (offsetof<${name}>() + align${c} - 1) & ~(align${c} - 1);`,
   ]);
-  return `${lines.join('\n')}\n`;
+  return `${[...lines, ...ofSizes].join('\n')}\n`;
 }
 
 /** @param {Uint8Array<ArrayBuffer>} wasm */
@@ -91,10 +121,16 @@ function numbersOf(wasm) {
 
 /**
  * The layouts in TypeScript.
- * @param {Layout[]} layouts
+ * @param {{ layouts: Layout[], sizes: MeasuredSize[] }} found
  */
-export function layoutText(layouts) {
-  return layouts.map((layout) => `\n${textOf(layout)}`).join('');
+export function layoutText({ layouts, sizes }) {
+  return [...layouts.map(textOf), ...sizes.map(sizeText)].map((text) => `\n${text}`).join('');
+}
+
+/** @param {MeasuredSize} size */
+function sizeText({ name, place, bytes }) {
+  const value = bytes.f32 === bytes.f64 ? bytes.f64 : `{ f32: ${bytes.f32}, f64: ${bytes.f64} } as const`;
+  return `/** Bytes, of kernels/${place}. */\nexport const ${name} = ${value};\n`;
 }
 
 /** @param {Layout} layout */

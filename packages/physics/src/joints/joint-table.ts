@@ -17,6 +17,7 @@ import {
   JOINT_TABLE_BYTES,
   JOINT_WORK_BYTES,
   JOINTED_BODY_BYTES,
+  LOOP_BLOCK,
   RigidTableWord as RigidWord,
   JointTableWord as Word,
 } from '../memory/layouts.gen.ts';
@@ -30,8 +31,7 @@ const ROWS_BYTES = 5 * JOINT_ROW_BYTES;
 
 /** Colors of hinges that close loops, with a block each that may be nearly empty, and bytes of a hinge in a block of f64. */
 const COLORS = 32;
-const LOOP_BLOCK_BYTES = 29 * 16;
-const HINGE_BYTES = LOOP_BLOCK_BYTES / 2;
+const HINGE_BYTES = LOOP_BLOCK / 2;
 
 /** Memory of joints per entity, bytes: any entity may be a joint. */
 export const JOINT_BYTES_PER_ENTITY =
@@ -114,7 +114,7 @@ export const jointTable = resource((world): JointTable => {
   words[Word.colors] = allocate(arena, 4 * COLORS, 'joints');
   const lanes = world.precision === 'f32' ? 4 : 2;
   const blocks = Math.ceil(world.rows / lanes) + COLORS;
-  words[Word.blocks] = allocate(arena, LOOP_BLOCK_BYTES * blocks, 'joints');
+  words[Word.blocks] = allocate(arena, LOOP_BLOCK * blocks, 'joints');
   take(Word.masses, ARTICULATED_MASS_BYTES);
   take(Word.starts, HINGE_START_BYTES);
   take(Word.places, JOINT_PLACE_BYTES);

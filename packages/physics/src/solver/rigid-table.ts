@@ -7,10 +7,13 @@ import type { Precision } from '../kernels/instantiate.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import {
+  CONTACT_BLOCK,
   CONTACT_EVENT_LIST_BYTES,
   CROWD_BYTES,
   ContactEventListWord as EventWord,
+  RIGID_CONTACT_SIZE,
   RIGID_TABLE_BYTES,
+  SLEEPER_BYTES,
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
@@ -26,29 +29,24 @@ const CONTACTS_PER_BODY = 6;
 /** Small worlds have room for a heap. */
 const MIN_CONTACTS = 4096;
 
-/** Bytes of a contact's record: kernels/collision/narrow-phase/2d/rigid-contact.ts. */
-const contactBytes = (bytes: number) => 56 + 42 * bytes;
-
-/** Bytes of a block of contacts, one for each lane of a vector: kernels/solver/2d/contact-block.ts. */
-const BLOCK_BYTES = 704;
-
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
-const listBytes = (bytes: number) => contactBytes(bytes) + BLOCK_BYTES / (16 / bytes) + 32 + 44 + 2 * 6 * bytes;
+function listBytes(precision: Precision): number {
+  const bytes = realBytes(precision);
+  return RIGID_CONTACT_SIZE[precision] + CONTACT_BLOCK / (16 / bytes) + 32 + 44 + 2 * 6 * bytes;
+}
 
 /** The columns of reals of an event. */
 const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, EventWord.speeds, EventWord.impulses];
 
-/** Reals that sleep keeps of a body, and two words: kernels/solver/2d/sleeper.ts. */
-const SLEEPER_REALS = 6;
-
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
-const rowBytes = (bytes: number) =>
-  16 * bytes + 4 * bytes + SLEEPER_REALS * bytes + 8 + 4 * (4 * bytes + 8) + CROWD_BYTES + 16 * 4;
+function rowBytes(precision: Precision): number {
+  const bytes = realBytes(precision);
+  return 16 * bytes + 4 * bytes + SLEEPER_BYTES[precision] + 4 * (4 * bytes + 8) + CROWD_BYTES + 16 * 4;
+}
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
 export function rigidBytesPerEntity(precision: Precision): number {
-  const bytes = realBytes(precision);
-  return Math.ceil(rowBytes(bytes) + CONTACTS_PER_BODY * listBytes(bytes));
+  return Math.ceil(rowBytes(precision) + CONTACTS_PER_BODY * listBytes(precision));
 }
 
 /** Takes the memory, the first time it is asked for. @throws PhysicsError E_CAPACITY */
@@ -108,7 +106,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.states, 8 * bytes);
   take(Word.poses, 8 * bytes);
   take(Word.boxes, 4 * bytes);
-  take(Word.sleepers, SLEEPER_REALS * bytes + 8);
+  take(Word.sleepers, SLEEPER_BYTES[precision]);
   take(Word.crowds, CROWD_BYTES);
   const node = 4 * bytes + 8;
   take(Word.staticNodes, 2 * node);
@@ -145,21 +143,21 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
   const room = 0.9 * (arena.bytes - arena.top) - 38 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
-  const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(bytes))));
+  const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(precision))));
   const take = (word: Word, size: number) => {
     words[word] = allocate(arena, size, 'contacts of rigid bodies', NO_ROOM);
   };
   words[Word.contactCapacity] = capacity;
   words[Word.pairCapacity] = capacity;
   words[Word.blockCapacity] = Math.ceil(capacity / (16 / bytes)) + 64;
-  take(Word.contacts, contactBytes(bytes) * capacity);
+  take(Word.contacts, RIGID_CONTACT_SIZE[precision] * capacity);
   take(Word.order, 4 * capacity);
   take(Word.free, 4 * capacity);
   take(Word.newContacts, 4 * capacity);
   take(Word.touching, 8 * capacity);
   take(Word.pairs, 8 * capacity);
   take(Word.sortedPairs, 8 * capacity);
-  take(Word.blocks, BLOCK_BYTES * words[Word.blockCapacity]);
+  take(Word.blocks, CONTACT_BLOCK * words[Word.blockCapacity]);
   for (const word of [Word.endA, Word.endB]) take(word, 4 * capacity);
   for (const word of [Word.sensorBeginSensors, Word.sensorBeginVisitors]) take(word, 4 * capacity);
   for (const word of [Word.sensorEndSensors, Word.sensorEndVisitors]) take(word, 4 * capacity);
