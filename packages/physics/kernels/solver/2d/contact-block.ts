@@ -54,5 +54,8 @@ export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
   return t.blocks + <usize>i * CONTACT_BLOCK;
 }
 
+// A contact with two points whose second approaches faster than this when the step begins is hit, m/s.
+export const HIT_SPEED: real = 0.25;
+
 // No impulse is larger than this, N s: a number that is not finite would reach every body of a heap.
 export const MAX_IMPULSE: real = 1e30;

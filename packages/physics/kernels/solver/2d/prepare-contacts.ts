@@ -27,6 +27,7 @@ export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   for (let i = 0; i < t.blockCount; i++) clearBlock(t, i);
   t.deepCount = 0;
+  t.hitCount = 0;
   const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);
   soften(hertz, t.contactDampingRatio, t.h);
   const biasRate = <real>(softness.biasRate * softness.massScale);
@@ -174,6 +175,7 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   const vy = sb.vy + sb.w * bx - (sa.vy + sa.w * ax);
   point.normalSpeed = nx * vx + ny * vy;
   put(to + block.NORMAL_SPEED, l, point.normalSpeed);
+  if (p == 1 && point.normalSpeed < -block.HIT_SPEED) t.hitCount++;
 }
 
 // Keeps the impulses for the next step, and for who asks about this one.

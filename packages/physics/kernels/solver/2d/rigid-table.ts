@@ -137,6 +137,8 @@ export class RigidTable {
   touchingCount: i32;
   colors: usize;
   colorCounts: usize;
+  // Contacts with two points that are hit in this step (solve-contacts.ts).
+  hitCount: i32;
   // Contacts of deep overlap in this step; by row: class Crowd; the rows of the bodies in crowds, ascending (crowds.ts).
   deepCount: i32;
   crowds: usize;
