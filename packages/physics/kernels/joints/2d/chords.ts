@@ -9,8 +9,9 @@
 //
 // Speeds are those of the end of the last sub-step: forces, contacts and warm starting change them for a moment. Of a chord as much
 // is taken as there is of it in these speeds along the new directions: in a steady motion all of it, and none where an impact has just
-// ended it, for this would give energy. A body that is held at two ends and whose inertia was raised (brace-joints.ts) swings too fast
-// to be followed, and has no chords: its inertia changes, by which it would gain energy.
+// ended it, for this would give energy. Hinges that close loops side by side (solve-loops.ts) take all of it. A body that is held at two
+// ends and whose inertia was raised (brace-joints.ts) swings too fast to be followed, and has no chords: its inertia changes, by which
+// it would gain energy.
 //
 // Source: the position constraint of SHAKE to second order in h (Ryckaert, Ciccotti and Berendsen 1977; Hairer, Lubich and
 // Wanner, Geometric Numerical Integration, section VII.1.4).

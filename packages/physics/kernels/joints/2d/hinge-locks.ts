@@ -95,7 +95,6 @@ export const COMPLIANCE: f64 = 1e-4;
     ux += bias * start.errorX;
     uy += bias * start.errorY;
   }
-  // In this order, because the values are known last.
   const gx = at.valueX + (at.k00 * ux + at.k01 * uy);
   const gy = at.valueY + (at.k01 * ux + at.k11 * uy);
   to.gx += gx;
@@ -185,7 +184,6 @@ export const COMPLIANCE: f64 = 1e-4;
     awayX += bias * start.errorX;
     awayY += bias * start.errorY;
   }
-  // In this order, because the angular velocity of the parent is known before its velocity.
   const ux = from.vx - (from.w * at.parentY + awayX);
   const uy = from.vy + (from.w * at.parentX - awayY);
   const x = finite(at.k00 * ux + at.k01 * uy - at.valueX);
