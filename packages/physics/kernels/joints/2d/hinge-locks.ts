@@ -24,7 +24,7 @@ import { finite } from './joint-rows';
 // straight bridge of a hundred planks needs it: with less, blows of its load make it swing ever more.
 export const COMPLIANCE: f64 = 1e-4;
 
-// The anchors where the bodies are now.
+// The anchors where the bodies are now; `softness` is that of joints.
 // @ts-ignore: decorator
 @inline export function measureHinge(rigid: RigidTable, at: JointPlace, start: HingeStart): void {
   const p = stateOf(rigid, at.parentRow);
@@ -38,8 +38,9 @@ export const COMPLIANCE: f64 = 1e-4;
   at.childX = cx;
   at.childY = cy;
   measureChord(at, c, start);
-  start.errorX = start.x + (<f64>c.dx - <f64>p.dx) + cx - px;
-  start.errorY = start.y + (<f64>c.dy - <f64>p.dy) + cy - py;
+  const rate = softness.biasRate;
+  start.wantedX = at.chordX + rate * (start.x + (<f64>c.dx - <f64>p.dx) + cx - px);
+  start.wantedY = at.chordY + rate * (start.y + (<f64>c.dy - <f64>p.dy) + cy - py);
 }
 
 // @ts-ignore: decorator
@@ -72,7 +73,7 @@ export const COMPLIANCE: f64 = 1e-4;
   rigid: RigidTable,
   at: JointPlace,
   start: HingeStart,
-  bias: f64,
+  soft: bool,
   factor: bool,
 ): void {
   if (at.below != 0) gatherChild(t, rigid, at, factor);
@@ -80,8 +81,8 @@ export const COMPLIANCE: f64 = 1e-4;
   const to = changetype<ArticulatedBody>(at.above);
   const x = -at.parentY;
   const y = at.parentX;
-  let ux = at.chordX;
-  let uy = at.chordY;
+  const ux = soft ? start.wantedX : at.chordX;
+  const uy = soft ? start.wantedY : at.chordY;
   if (factor) {
     const wx = at.k00 * x + at.k01 * y;
     const wy = at.k01 * x + at.k11 * y;
@@ -92,8 +93,6 @@ export const COMPLIANCE: f64 = 1e-4;
     mass.m02 += wx;
     mass.m12 += wy;
     mass.m22 += x * wx + y * wy;
-    ux += bias * start.errorX;
-    uy += bias * start.errorY;
   }
   const gx = at.valueX + (at.k00 * ux + at.k01 * uy);
   const gy = at.valueY + (at.k01 * ux + at.k11 * uy);
@@ -170,22 +169,10 @@ export const COMPLIANCE: f64 = 1e-4;
 
 // From the root: the impulse of the hinge, and the velocity of the child.
 // @ts-ignore: decorator
-@inline export function exertHinge(
-  rigid: RigidTable,
-  at: JointPlace,
-  start: HingeStart,
-  bias: f64,
-  soft: bool,
-): void {
+@inline export function exertHinge(rigid: RigidTable, at: JointPlace, start: HingeStart, soft: bool): void {
   const from = changetype<ArticulatedBody>(at.above);
-  let awayX = at.chordX;
-  let awayY = at.chordY;
-  if (soft) {
-    awayX += bias * start.errorX;
-    awayY += bias * start.errorY;
-  }
-  const ux = from.vx - (from.w * at.parentY + awayX);
-  const uy = from.vy + (from.w * at.parentX - awayY);
+  const ux = from.vx - from.w * at.parentY - (soft ? start.wantedX : at.chordX);
+  const uy = from.vy + from.w * at.parentX - (soft ? start.wantedY : at.chordY);
   const x = finite(at.k00 * ux + at.k01 * uy - at.valueX);
   const y = finite(at.k01 * ux + at.k11 * uy - at.valueY);
   at.impulseX = soft ? softness.massScale * x : at.impulseX + x;

@@ -75,7 +75,8 @@ export class JointWork {
 }
 
 // Of a hinge when the step began: anchors from the centres of the parent and the child, in the axes of the world, and from the
-// centre of the parent to that of the child, m. Then from the anchor of the parent to that of the child, now.
+// centre of the parent to that of the child, m. Then how fast the anchor of the child is to come to that of the parent, m/s: by the
+// chord, and by what closes the gap.
 @unmanaged
 export class HingeStart {
   parentX: f64;
@@ -84,8 +85,8 @@ export class HingeStart {
   childY: f64;
   x: f64;
   y: f64;
-  errorX: f64;
-  errorY: f64;
+  wantedX: f64;
+  wantedY: f64;
   // Half steps of the parent and of the child (brace-joints.ts), s.
   halfStepParent: f64;
   halfStepChild: f64;

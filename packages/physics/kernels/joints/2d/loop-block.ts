@@ -25,13 +25,14 @@ export const START_BX: usize = 13 * V;
 export const START_BY: usize = 14 * V;
 export const START_X: usize = 15 * V;
 export const START_Y: usize = 16 * V;
-// Now: anchors, from that of a to that of b, and the inverse of the effective mass matrix.
+// Now: anchors, how fast that of b is to come to that of a, m/s: by the chord, and by what closes the gap; and the inverse of the
+// effective mass matrix.
 export const AX: usize = 17 * V;
 export const AY: usize = 18 * V;
 export const BX: usize = 19 * V;
 export const BY: usize = 20 * V;
-export const ERROR_X: usize = 21 * V;
-export const ERROR_Y: usize = 22 * V;
+export const WANTED_X: usize = 21 * V;
+export const WANTED_Y: usize = 22 * V;
 export const K00: usize = 23 * V;
 export const K01: usize = 24 * V;
 export const K11: usize = 25 * V;

@@ -132,7 +132,7 @@ export function solveLocks(table: usize): void {
   }
   for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) engageLimit(t, rigid, k);
   solveAll(t, rigid, softness.biasRate, true, true);
-  solveLoops(t, softness.biasRate);
+  solveLoops(t);
 }
 
 // Takes back the speed at which joints pulled, and ends the sub-step: the largest forces are kept.
@@ -152,13 +152,13 @@ function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, facto
   for (let k = t.treeCount - 1; k >= 0; k--) {
     const at = placeAt(t, k);
     if (soft && at.hinge == PLAIN) measureHinge(rigid, at, startAt(t, k));
-    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), bias, factor);
+    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), soft, factor);
     else gatherJoint(t, rigid, k, bias, factor);
   }
   moveRoots(t, rigid, factor);
   for (let k = 0; k < t.treeCount; k++) {
     const at = placeAt(t, k);
-    if (at.hinge != 0) exertHinge(rigid, at, startAt(t, k), bias, soft);
+    if (at.hinge != 0) exertHinge(rigid, at, startAt(t, k), soft);
     else exertJoint(t, rigid, k, soft);
     if (!soft) watch(t, at, k);
   }

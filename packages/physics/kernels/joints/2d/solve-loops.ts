@@ -11,16 +11,17 @@ const MAX_IMPULSE: real = 1e30;
 
 // Begins a sub-step: anchors and matrices where the bodies are now, and the impulses of the last sub-step.
 export function startLoops(t: JointTable): void {
+  const rate = splat(<real>softness.biasRate);
   for (let i = 0; i < t.blockCount; i++) {
     const at = blockOf(t, i);
-    measureBlock(at);
+    measureBlock(at, rate);
     factorBlock(at);
-    solveBlock(at, splat(0), splat(0), splat(0), WARM);
+    solveBlock(at, splat(0), splat(0), WARM);
   }
 }
 
 // @ts-ignore: decorator
-@inline function measureBlock(at: usize): void {
+@inline function measureBlock(at: usize, rate: v128): void {
   gather(at + block.A, MOVEMENT);
   const movedX = gathered.x;
   const movedY = gathered.y;
@@ -43,12 +44,14 @@ export function startLoops(t: JointTable): void {
   v128.store(at, by, block.BY);
   const bendA = v128.load(at, block.BEND_A);
   const bendB = v128.load(at, block.BEND_B);
-  v128.store(at, sub(mul(bendA, ax), mul(bendB, bx)), block.CHORD_X);
-  v128.store(at, sub(mul(bendA, ay), mul(bendB, by)), block.CHORD_Y);
+  const chordX = sub(mul(bendA, ax), mul(bendB, bx));
+  const chordY = sub(mul(bendA, ay), mul(bendB, by));
+  v128.store(at, chordX, block.CHORD_X);
+  v128.store(at, chordY, block.CHORD_Y);
   const dx = add(sub(gathered.x, movedX), sub(bx, ax));
   const dy = add(sub(gathered.y, movedY), sub(by, ay));
-  v128.store(at, add(v128.load(at, block.START_X), dx), block.ERROR_X);
-  v128.store(at, add(v128.load(at, block.START_Y), dy), block.ERROR_Y);
+  v128.store(at, add(chordX, mul(rate, add(v128.load(at, block.START_X), dx))), block.WANTED_X);
+  v128.store(at, add(chordY, mul(rate, add(v128.load(at, block.START_Y), dy))), block.WANTED_Y);
 }
 
 // @ts-ignore: decorator
@@ -72,12 +75,11 @@ export function startLoops(t: JointTable): void {
   v128.store(at, mul(xx, k), block.K11);
 }
 
-// With bias, softly.
-export function solveLoops(t: JointTable, bias: f64): void {
-  const rate = splat(<real>bias);
+// Softly, pulling together what is apart.
+export function solveLoops(t: JointTable): void {
   const massScale = splat(<real>softness.massScale);
   const impulseScale = splat(<real>softness.impulseScale);
-  for (let i = 0; i < t.blockCount; i++) solveBlock(blockOf(t, i), rate, massScale, impulseScale, SOFT);
+  for (let i = 0; i < t.blockCount; i++) solveBlock(blockOf(t, i), massScale, impulseScale, SOFT);
 }
 
 // Rigidly. Ends the sub-step.
@@ -85,7 +87,7 @@ export function relaxLoops(t: JointTable): void {
   const none = splat(0);
   for (let i = 0; i < t.blockCount; i++) {
     const at = blockOf(t, i);
-    solveBlock(at, none, none, none, RIGID);
+    solveBlock(at, none, none, RIGID);
     const x = v128.load(at, block.IMPULSE_X);
     const y = v128.load(at, block.IMPULSE_Y);
     v128.store(at, larger(v128.load(at, block.LARGEST), add(mul(x, x), mul(y, y))), block.LARGEST);
@@ -97,7 +99,7 @@ const WARM: i32 = 0;
 const SOFT: i32 = 1;
 const RIGID: i32 = 2;
 
-function solveBlock(at: usize, bias: v128, massScale: v128, impulseScale: v128, pass: i32): void {
+function solveBlock(at: usize, massScale: v128, impulseScale: v128, pass: i32): void {
   const ax = v128.load(at, block.AX);
   const ay = v128.load(at, block.AY);
   const bx = v128.load(at, block.BX);
@@ -115,12 +117,10 @@ function solveBlock(at: usize, bias: v128, massScale: v128, impulseScale: v128, 
   let x = v128.load(at, block.IMPULSE_X);
   let y = v128.load(at, block.IMPULSE_Y);
   if (pass != WARM) {
-    let ux = add(v128.load(at, block.CHORD_X), sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay))));
-    let uy = add(v128.load(at, block.CHORD_Y), sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax))));
-    if (pass == SOFT) {
-      ux = add(ux, mul(bias, v128.load(at, block.ERROR_X)));
-      uy = add(uy, mul(bias, v128.load(at, block.ERROR_Y)));
-    }
+    const wantedX = pass == SOFT ? v128.load(at, block.WANTED_X) : v128.load(at, block.CHORD_X);
+    const wantedY = pass == SOFT ? v128.load(at, block.WANTED_Y) : v128.load(at, block.CHORD_Y);
+    const ux = add(wantedX, sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay))));
+    const uy = add(wantedY, sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax))));
     const k01 = v128.load(at, block.K01);
     let jx = add(mul(v128.load(at, block.K00), ux), mul(k01, uy));
     let jy = add(mul(k01, ux), mul(v128.load(at, block.K11), uy));

@@ -10,11 +10,13 @@ import { JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, workAt } from 
 import { applyAlong, applyLocks, stateA, stateB } from './joint-rows';
 import { measureJoint } from './measure-joints';
 import { warmStartCoupling } from './solve-couplings';
+import { softenJoint } from './soft-impulse';
 import { startLoops } from './solve-loops';
 
 export function startJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
+  softenJoint(rigid);
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     measureJoint(t, k);
