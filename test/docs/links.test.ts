@@ -14,6 +14,16 @@ const pages = [
   ...packageNames.map((name) => `packages/${name}/README.md`),
 ];
 
+/** Pages that npm shows, too, lead to others by the address of the repository: nothing else of it is in a package. */
+const REPOSITORY = /^https:\/\/github\.com\/principia-physics\/principia\/(?:blob|tree)\/main\//;
+
+/** The file that a link of a page leads to, undefined for one that leaves the repository. */
+function targetOf(page: string, link: string): string | undefined {
+  if (REPOSITORY.test(link)) return link.replace(REPOSITORY, '');
+  if (/^https?:/.test(link)) return undefined;
+  return link === '' ? page : posix.join(posix.dirname(page), link);
+}
+
 /** The anchors that a page has for its headings, by GitHub's rules. */
 function anchorsOf(path: string): string[] {
   const text = readFileSync(path, 'utf8').replaceAll(/```[\s\S]*?```/g, '');
@@ -27,10 +37,15 @@ function anchorsOf(path: string): string[] {
 
 test.each(pages)('links of %s lead somewhere', (page) => {
   const text = readFileSync(page, 'utf8').replaceAll(/```[\s\S]*?```/g, '');
-  const links = [...text.matchAll(/\]\((?!https?:)([^)\s#]*)(?:#([^)]*))?\)/g)];
+  const links = [...text.matchAll(/\]\(([^)\s#]*)(?:#([^)]*))?\)/g)];
   for (const [link, path = '', anchor] of links) {
-    const target = path === '' ? page : posix.join(posix.dirname(page), path);
+    const target = targetOf(page, path);
+    if (target === undefined) continue;
     expect(existsSync(target), `${page}: ${link}`).toBe(true);
     if (anchor !== undefined) expect(anchorsOf(target), `${page}: ${link}`).toContain(anchor);
   }
+});
+
+test.each(packageNames)('the front page of %s leads nowhere within a package, which has no other pages', (name) => {
+  expect(readFileSync(`packages/${name}/README.md`, 'utf8')).not.toMatch(/\]\(\.\.?\//);
 });
