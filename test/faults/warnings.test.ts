@@ -224,6 +224,29 @@ it('says that a colour as the web writes it is invisible, and not of one made by
   expect(other.messages()).toContain('the colour 0xff0000 is invisible');
 });
 
+it('says that bodies with a surface pass through each other where nothing runs contacts', () => {
+  const surface = { radius: 0.5, restitution: 0.8 };
+  const { world, messages } = listen();
+  spawn(world, { position: {}, mass: 1, collider: { radius: 0.5 } });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  for (const x of [2, 4]) spawn(world, { position: { x }, mass: 1, collider: surface });
+  step(world, 0.01);
+  expect(messages()).toBe(
+    'body 2 has restitution or friction and passes through everything, because no system of this world runs contacts or walls.',
+  );
+  for (const options of [
+    { preset: particleContacts },
+    { preset: rigidBodies },
+    { walls: [boxWalls({ min: { x: -5, y: -5 }, max: { x: 5, y: 5 } })] },
+  ]) {
+    const other = listen(options);
+    spawn(other.world, { position: {}, mass: 1, collider: surface });
+    step(other.world, 0.01);
+    expect(other.messages()).toBe('');
+  }
+});
+
 it('says that a body without a position goes nowhere', () => {
   const { world, messages } = listen({ preset: rigidBodies });
   spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });

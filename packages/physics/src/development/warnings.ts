@@ -90,6 +90,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
   warnAboutSprings(world);
   warnAboutShapes(world);
   warnAboutMissingPositions(world);
+  warnAboutSurfaces(world, plan);
   warnAboutBodiesThatDoNotTurn(world);
 }
 
@@ -162,6 +163,20 @@ function warnAboutShapes(world: PhysicsWorld): void {
     hint: 'Create the world with `preset: rigidBodies`.',
   };
   warnOnce(world, warning, 'shapes');
+}
+
+/** Who says how a body bounces and rubs means it to touch something. */
+function warnAboutSurfaces(world: PhysicsWorld, { systems }: Plan): void {
+  if (world.integrator.solvesWalls === true || systems.walls.length + systems.collide.length > 0) return;
+  if (world.internal.counts.Collider === 0 || world.forces.some(({ reads }) => reads.includes('Collider'))) return;
+  const { restitution, friction } = world.components.Collider;
+  const touching = firstRow(world, (id) => restitution[id] > 0 || friction[id] > 0);
+  if (touching === 0) return;
+  const warning = {
+    message: `body ${touching} has restitution or friction and passes through everything, because no system of this world runs contacts or walls.`,
+    hint: 'Create the world with `preset: particleContacts` or `preset: rigidBodies`, or with `walls`.',
+  };
+  warnOnce(world, warning, 'surfaces');
 }
 
 /** Nothing that moves or collides is without a place. */
