@@ -46,6 +46,13 @@ test.each(pages)('links of %s lead somewhere', (page) => {
   }
 });
 
-test.each(packageNames)('the front page of %s leads nowhere within a package, which has no other pages', (name) => {
-  expect(readFileSync(`packages/${name}/README.md`, 'utf8')).not.toMatch(/\]\(\.\.?\//);
-});
+test.each(packageNames)(
+  'the front page of %s leads to the repository, and not to pages that are not in a package',
+  (name) => {
+    const links = [...readFileSync(`packages/${name}/README.md`, 'utf8').matchAll(/\]\(([^)]*)\)/g)].map(
+      ([, link]) => link,
+    );
+    expect(links.filter((link = '') => REPOSITORY.test(link)).length).toBeGreaterThan(2);
+    expect(links.filter((link = '') => !link.startsWith('https://'))).toEqual([]);
+  },
+);

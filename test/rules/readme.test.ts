@@ -1,6 +1,5 @@
-import { existsSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { packageNames } from '../../scripts/lib/packages.mjs';
 
 const readme = readFileSync('README.md', 'utf8');
 
@@ -15,13 +14,3 @@ it('the page on making a game shows the game as it is', () => {
   expect(shown.map(([, path]) => path?.replace(/.*\//, ''))).toEqual(['sim.ts', 'settings.ts', 'view.ts', 'main.ts']);
   for (const [, path, code] of shown) expect(code, path).toBe(readFileSync(path as string, 'utf8'));
 });
-
-it.each([['.', 10], ...packageNames.map((name) => [`packages/${name}`, 2] as const)] as const)(
-  'every file that the README of %s links to exists',
-  (folder, least) => {
-    const page = readFileSync(`${folder}/README.md`, 'utf8');
-    const links = [...page.matchAll(/\]\((?!https?:)([^)#]+)\)/g)].map(([, path]) => path as string);
-    expect(links.length).toBeGreaterThan(least);
-    expect(links.filter((path) => !existsSync(`${folder}/${path}`))).toEqual([]);
-  },
-);
