@@ -200,8 +200,11 @@ describe('invalid forces, systems and integrators', () => {
     expect(refusal(() => createPhysicsWorld({ preset: 'standard' as never })).code).toBe('E_TYPE');
   });
 
-  it.each([{ standard }, { particleContacts }, { rigidBodies }])('23 a preset that was called says so: %o', (named) => {
-    const [[name, preset]] = Object.entries(named);
+  it.each([
+    ['standard', standard],
+    ['particleContacts', particleContacts],
+    ['rigidBodies', rigidBodies],
+  ])('23 the preset %s says that it was called, not passed', (name, preset) => {
     const { code, field, hint } = refusal(() => createPhysicsWorld({ preset: (preset as () => never)() }));
     expect([code, field]).toEqual(['E_TYPE', 'preset']);
     expect(hint).toContain(`createPhysicsWorld({ preset: ${name} })`);

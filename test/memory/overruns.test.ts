@@ -1,4 +1,4 @@
-// What kernels write stays within what was allocated for it: the bytes between allocations, and behind the last, stay zero.
+// Kernels write within their allocations only: the bytes between allocations, and behind the last, stay zero.
 import { step } from '@principia/physics';
 import { SCENES } from '@principia/scenes';
 import { expect, it, vi } from 'vitest';
@@ -27,7 +27,7 @@ vi.mock('../../packages/physics/src/memory/arena.ts', async (importOriginal) => 
   };
 });
 
-/** What was allocated before each stretch of memory that belongs to nobody and is not zero. */
+/** The allocations behind which unallocated bytes are not zero. */
 function overrun(memory: WebAssembly.Memory): string[] {
   const sorted = [...(regions.get(memory) as Region[])].sort((a, b) => a.start - b.start);
   const bytes = new Uint8Array(memory.buffer);

@@ -53,7 +53,8 @@ export function componentOfKey(key: string, caller: string): ComponentName {
 /**
  * Creates one entity with the given components. A component given as `{}` gets its initial values; an omitted or
  * undefined component is absent, except that a body with mass gets a zero velocity. All values are validated first.
- * During a step the body is created at the end of the step, and what is written to its columns until then is lost. An exception of a user's observer removes the entity and
+ * During a step the body is created at the end of the step, and what is written to its columns until then is lost. An
+ * exception of a user's observer removes the entity and
  * propagates.
  * @returns the entity id
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_CAPACITY, E_DESTROYED

@@ -1,4 +1,4 @@
-// What lands flat: friction turns it, which changes the load of its two points, which changes friction. The impulse comes once.
+// Bodies that land flat: friction turns them, which changes the load of the two contact points, which changes friction.
 import { box, spawn } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';

@@ -87,8 +87,8 @@ export function relaxContacts(table: usize): void {
   }
 }
 
-// What lands flat is relaxed so many times more: friction turns it, which changes the load of its two points, which changes
-// friction. Where a body rests, the next sub-steps do this; the impulse of an impact comes once.
+// Additional relaxing passes for blocks in which an impact hits a contact with two points: friction turns the body, which changes
+// the load of the points, which changes friction. Resting contacts converge over the next sub-steps; an impact has only this one.
 const HIT_PASSES: i32 = 3;
 
 function relaxBlock(at: usize, inverseH: v128): void {
