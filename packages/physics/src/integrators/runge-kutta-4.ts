@@ -31,12 +31,15 @@ export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
     const k3 = kick(position.add(v2.mul(half)), v3, 1 / 2, half);
     const v4 = velocity.add(k3.mul(2));
     const k4 = kick(position.add(v3.mul(dt)), v4, 1, half);
-    // These are kicks of half a step: two of them equal one of the textbook.
+    // These are kicks of half a step: two of them equal one of the textbook. The mean of the four velocities is written
+    // out, v + (k1 + k2 + k3) / 3, so that both results share sums.
+    const inner = k2.add(k3);
+    const firstThree = k1.add(inner);
     return {
-      position: position.add(velocity.add(v2.add(v3).mul(2)).add(v4).mul(dt.div(6))),
+      position: position.add(velocity.add(firstThree.mul(1 / 3)).mul(dt)),
       velocity: velocity.add(
-        k1
-          .add(k2.add(k3).mul(2))
+        firstThree
+          .add(inner)
           .add(k4)
           .mul(1 / 3),
       ),
