@@ -34,6 +34,7 @@ export const physicsLayers: readonly string[] = [
   'math',
   'components',
   'development',
+  'memory/layouts.gen.ts',
   'world/phases.ts',
   'laws',
   'memory',

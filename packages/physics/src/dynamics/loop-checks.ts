@@ -51,18 +51,16 @@ export function checksOf(
   columns: WorldColumns,
   start: Moved,
   result: Result,
-  { box, list, recordsContacts }: StepFeatures,
+  { box, list, recordsContacts, savesVelocity }: StepFeatures,
 ): Pick<LoopSource, 'inRange' | 'walls' | 'fastCheck'> {
   const reach = recordsContacts ? WALL_MARGIN : 1;
   const inside = box === undefined ? undefined : insideBox(columns, result, box, reach);
   if (box === undefined || inside === undefined) return rangeTests(columns, result);
   const inRange = rangeTest(columns, result, LEAST_WEIGHT);
-  const at = columns.world.scratch.at.startVelocity;
-  const stores = columns.axisNames.map((axis, i) => ({ address: at[axis], node: start.velocity[i] }));
   const walls: WallTest = {
     inside,
     list,
-    stores,
+    startVelocity: savesVelocity ? [] : columns.axisNames.map((_, i) => start.velocity[i]),
     resting: recordsContacts ? undefined : restingBodies(columns, start, result, box),
   };
   const fastCheck = isClosed(columns, box)

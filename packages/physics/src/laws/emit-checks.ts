@@ -1,4 +1,5 @@
 // The checks of a loop on its results, and the handling of bodies at a wall.
+import { LISTED_VECTOR_BYTES, LISTED_VECTOR_SIZE } from '../memory/layouts.gen.ts';
 import type { NodeEmitter } from './emit-nodes.ts';
 import type { LoopSource, WallTest } from './loop-source.ts';
 import type { Node } from './node.ts';
@@ -60,14 +61,24 @@ function emitFailures(emitter: NodeEmitter, { inRange, walls, types }: LoopSourc
   }
   if (walls === undefined) return;
   pushFails(emitter, walls.inside);
-  code.add('if').add('local.get', LOCALS.listEnd);
+  code.add('if');
+  listVector(emitter, walls);
+  code.add('end');
+}
+
+/** Appends the vector to the list. */
+function listVector(emitter: NodeEmitter, { startVelocity }: WallTest): void {
+  const { code } = emitter;
+  code.add('local.get', LOCALS.listEnd);
   emitter.pushOffset();
   code.memory('i32.store', 0, 'list of bodies at walls');
-  code.add('local.get', LOCALS.listEnd).add('i32.const', 4).add('i32.add').add('local.set', LOCALS.listEnd);
-  for (const { address, node } of walls.stores) {
-    emitter.storeReal(address, emitter.toLocal(node), 'velocity at the start');
-  }
-  code.add('end');
+  startVelocity.forEach((node, axis) => {
+    const velocity = emitter.toLocal(node);
+    code.add('local.get', LOCALS.listEnd).add('local.get', velocity);
+    code.memory('v128.store', LISTED_VECTOR_BYTES + 16 * axis, 'velocity at the start');
+  });
+  code.add('local.get', LOCALS.listEnd).add('i32.const', LISTED_VECTOR_SIZE).add('i32.add');
+  code.add('local.set', LOCALS.listEnd);
 }
 
 /** Pushes 1 if the condition fails for any body of the vector, otherwise 0. */

@@ -1,12 +1,13 @@
 // A loop over columns made by hand: what it stores and lists, with one and with two vectors in an iteration, and that it
 // does neither where it stops.
 import { describe, expect, test } from 'vitest';
+import { LISTED_VECTOR_BYTES, LISTED_VECTOR_SIZE, WALL_LIST_BYTES } from '../memory/layouts.gen.ts';
 import { compileLoop, instantiateLoop, type Loop } from './compile.ts';
 import { Graph } from './graph.ts';
 import type { LoopSource } from './loop-source.ts';
 
 const ROWS = 32;
-const [X, Y, START, LIST] = [64, 1024, 2048, 4096];
+const [X, Y, LIST] = [64, 1024, 4096];
 /** Walls are at 10, and values from 1000 are out of range. */
 const [WALL, FAR] = [10, 1000];
 
@@ -16,6 +17,8 @@ interface Lab {
   readonly y: Float32Array | Float64Array;
   /** The rows of the listed vectors. */
   listed(): number[];
+  /** The values of a listed vector at the start. */
+  starts(entry: number): number[];
 }
 
 /** y := x + 1, which must stay under the wall and within range. */
@@ -24,12 +27,20 @@ function makeLab(stored: 'f32' | 'f64', vectors: 1 | 2): Lab {
   const memory = new WebAssembly.Memory({ initial: 1 });
   const compiled = compileLoop(`test of loops ${stored} ${vectors}`, () => sourceOf(stored, vectors));
   const run = instantiateLoop(compiled, memory, () => ({}));
-  const column = (at: number) =>
-    stored === 'f32' ? new Float32Array(memory.buffer, at, ROWS) : new Float64Array(memory.buffer, at, ROWS);
+  const column = (at: number, count = ROWS) =>
+    stored === 'f32' ? new Float32Array(memory.buffer, at, count) : new Float64Array(memory.buffer, at, count);
   const words = new Int32Array(memory.buffer);
-  words[LIST / 4] = LIST + 4;
-  const listed = () => Array.from(words.slice(LIST / 4 + 1, words[LIST / 4] / 4), (offset) => offset / bytes);
-  return { run, x: column(X), y: column(Y), listed };
+  const first = LIST + WALL_LIST_BYTES;
+  words[LIST / 4] = first;
+  const listed = () => {
+    const entries = (words[LIST / 4] - first) / LISTED_VECTOR_SIZE;
+    return Array.from({ length: entries }, (_, i) => words[(first + i * LISTED_VECTOR_SIZE) / 4] / bytes);
+  };
+  const starts = (entry: number) => {
+    const at = first + entry * LISTED_VECTOR_SIZE + LISTED_VECTOR_BYTES;
+    return Array.from(column(at, 16 / bytes));
+  };
+  return { run, x: column(X), y: column(Y), listed, starts };
 }
 
 function sourceOf(stored: 'f32' | 'f64', vectors: 1 | 2): LoopSource {
@@ -43,7 +54,7 @@ function sourceOf(stored: 'f32' | 'f64', vectors: 1 | 2): LoopSource {
     stores: [{ address: Y, node: y }],
     vectors,
     inRange: graph.make('less', [y, graph.constant(FAR)]),
-    walls: { inside, list: LIST, stores: [{ address: START, node: x }] },
+    walls: { inside, list: LIST, startVelocity: [x] },
     fastCheck: inside,
     noteOf: () => undefined,
   };
@@ -56,7 +67,7 @@ describe.each(['f32', 'f64'] as const)('%s', (stored) => {
     const rows = vectors * lanes;
 
     test('every row is stored, and the vectors with a body beyond the wall are listed', () => {
-      const { run, x, y, listed } = makeLab(stored, vectors);
+      const { run, x, y, listed, starts } = makeLab(stored, vectors);
       x.forEach((_, i) => {
         x[i] = i / 8;
       });
@@ -65,6 +76,9 @@ describe.each(['f32', 'f64'] as const)('%s', (stored) => {
       expect(run(0, ROWS, 1)).toBe(ROWS);
       expect(Array.from(y)).toEqual(Array.from(x, (value) => value + 1));
       expect(listed()).toEqual([0, lanes, 3 * lanes, 16]);
+      [0, lanes, 3 * lanes, 16].forEach((row, entry) => {
+        expect(starts(entry), 'what they were at the start').toEqual(Array.from(x.subarray(row, row + lanes)));
+      });
     });
 
     test.each([0, 1, rows - 1])('a value out of range in row %i of an iteration stops the loop before it', (place) => {

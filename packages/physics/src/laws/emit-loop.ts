@@ -45,10 +45,16 @@ function shiftOf({ stored }: LoopSource['types']): number {
 }
 
 function rootsOf({ stores, inRange, walls, fastCheck, total }: LoopSource): Node[] {
-  const stored = [...stores, ...(walls?.stores ?? []), ...(walls?.resting?.stores ?? [])].map(({ node }) => node);
-  return [...stored, inRange, walls?.inside, walls?.resting?.condition, fastCheck, total].filter(
-    (node) => node !== undefined,
-  );
+  const stored = [...stores, ...(walls?.resting?.stores ?? [])].map(({ node }) => node);
+  return [
+    ...stored,
+    ...(walls?.startVelocity ?? []),
+    inRange,
+    walls?.inside,
+    walls?.resting?.condition,
+    fastCheck,
+    total,
+  ].filter((node) => node !== undefined);
 }
 
 function parametersOf(name: Operation): ModuleSource['parameters'] {

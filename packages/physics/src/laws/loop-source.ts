@@ -8,13 +8,12 @@ export interface Store {
   readonly node: Node;
 }
 
-/** Wall test: bodies that are not inside are appended to a list, and additional values are stored for them. */
+/** Wall test: vectors of bodies that are not inside are appended to a list. */
 export interface WallTest {
   readonly inside: Node;
-  readonly stores: readonly Store[];
-  /**
-   * Address of the end of a list, followed by the list: byte offsets of bodies in a column of reals. The loop appends.
-   */
+  /** Velocities at the start of the step, which the list keeps unless the loop stores those of all bodies. */
+  readonly startVelocity: readonly Node[];
+  /** Address of the list, a `WallList` of kernels/particle-contacts/walls/box.ts. */
   readonly list: number;
   /** If the condition holds for all bodies of a vector, the vector is not listed, and `stores` replaces its results. */
   readonly resting?: { readonly condition: Node; readonly stores: readonly Store[] } | undefined;

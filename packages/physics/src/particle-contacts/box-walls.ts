@@ -59,8 +59,8 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
         world.kernels.boxRows(at, dt, lagOf(world, dt), bounds[2 * r], bounds[2 * r + 1]);
       }
     },
-    bounceListed: (world, list, dt) =>
-      world.kernels.boxListed(boxAt(world), list, dt, lagOf(world, dt), MAX_SPEED) === 0,
+    bounceListed: (world, list, dt, savesVelocity) =>
+      world.kernels.boxListed(boxAt(world), list, dt, lagOf(world, dt), MAX_SPEED, savesVelocity ? 1 : 0) === 0,
   };
   return system;
 }

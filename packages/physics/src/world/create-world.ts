@@ -18,6 +18,7 @@ import { columnCounts, componentColumns, realBytes, wordColumn } from '../memory
 import { FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import { POSE } from '../memory/previous-pose.ts';
 import { createScratch, SCRATCH_COLUMNS } from '../memory/scratch.ts';
+import { wallListBytes } from '../memory/wall-list.ts';
 import { standard } from '../presets/standard.ts';
 import { checkForces, checkIntegrator, checkSystems } from './execution-plan.ts';
 import { createPhases } from './systems.ts';
@@ -136,14 +137,15 @@ function checkIntegratorKept(world: PhysicsWorld, chosen: Integrator | undefined
   });
 }
 
-/** Memory for parameters of laws and the list of bodies at walls. */
+/** Memory for parameters of laws. */
 const LOOP_BYTES = 24_576;
 
 function memoryBytes(rows: number, precision: Precision): number {
   const { reals, words } = columnCounts();
   const realColumns = reals + SCRATCH_COLUMNS + columnCounts(POSE).reals;
   const wordColumns = words + 5;
-  return columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192) + 2 * rows + LOOP_BYTES + 65536;
+  const columns = columnBytes(realColumns, rows, precision) + wordColumns * (rows * 4 + 8192);
+  return columns + wallListBytes(rows, precision) + LOOP_BYTES + 65536;
 }
 
 /** Bytes for columns of reals, including the stagger of their start addresses in the cache. */

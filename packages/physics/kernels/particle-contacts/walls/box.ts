@@ -88,6 +88,30 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real
   }
 }
 
+// The vectors of bodies beyond a wall: the loop of the step lists them (src/laws/emit-checks.ts).
+@unmanaged
+export class WallList {
+  // The address behind the last entry. The entries follow this record.
+  end: usize;
+  unused0: i32;
+  unused1: i32;
+  unused2: i32;
+}
+
+// One of them. Unless the loop saves the velocities of all bodies at the start of the step, those of these bodies follow
+// this record, a vector an axis: in columns, each would be a line of the cache of which nothing else is used.
+@unmanaged
+export class ListedVector {
+  // Bytes from the start of a column of reals.
+  offset: usize;
+  unused0: i32;
+  unused1: i32;
+  unused2: i32;
+}
+
+// From one entry of the list to the next.
+export const LISTED_VECTOR_SIZE: usize = 3 * 16 + offsetof<ListedVector>();
+
 // The walls of a box, written by src/particle-contacts/box-walls.ts. A coordinate of 1e30 means no wall. A negative
 // `friction` means that the bodies' own coefficient applies. `start` and `origin` are the columns of velocity and
 // position at the start of the step.
@@ -173,17 +197,17 @@ function sweepRows(w: Walls, first: i32, last: i32): void {
     if (!v128.any_true(outside)) continue;
     for (let i = row; i < row + BLOCK; i += LANES) {
       if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
-      bounceAndRecord(w, c, i);
+      bounceAndRecord(w, c, i, w.start + at(i));
     }
   }
 }
 
-// Bounces the listed vectors of rows. The list holds its end address, then byte offsets into a column of reals. Returns
-// the number of vectors whose velocity is out of range afterwards.
-export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed: real): i32 {
+// Bounces the listed vectors of rows. Returns the number of vectors whose velocity is out of range afterwards.
+// `savesVelocity`: the velocities at the start of the step are in columns, which what follows this system reads as well.
+export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed: real, savesVelocity: bool): i32 {
   const b = changetype<Box>(box);
   const c = columns();
-  const end = load<usize>(list);
+  const end = changetype<WallList>(list).end;
   const limit = splat(maxSpeed);
   const reach = reachOf(c);
   let invalidCount = 0;
@@ -191,10 +215,11 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
     const w = wallsAcross(b, axis, dt, lag);
     const lowest = splat(w.low);
     const highest = splat(w.high);
-    for (let p = list + 4; p < end; p += 4) {
-      const o = load<usize>(p);
+    const start = offsetof<ListedVector>() + ((<usize>axis) << 4);
+    for (let p = list + offsetof<WallList>(); p < end; p += LISTED_VECTOR_SIZE) {
+      const o = changetype<ListedVector>(p).offset;
       if (!v128.any_true(isOutside(w.x + o, c.radius + o, reach, lowest, highest))) continue;
-      bounceAndRecord(w, c, <i32>(o / sizeof<real>()));
+      bounceAndRecord(w, c, <i32>(o / sizeof<real>()), savesVelocity ? w.start + o : p + start);
       if (!v128.all_true<i32>(v128.le<real>(v128.abs<real>(v128.load(w.v + o)), limit))) invalidCount++;
     }
   }
@@ -207,8 +232,9 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
   return splat(c.contacts == 0 ? <real>1 : WALL_MARGIN);
 }
 
-function bounceAndRecord(w: Walls, c: Columns, row: i32): void {
-  bounce(w, row);
+// `start` is the address of the bodies' velocities at the start of the step.
+function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize): void {
+  bounce(w, row, start);
   if (c.contacts == 0) return;
   recordNearWalls(c, row, w.axis, w.x, w.low, 1, w.friction);
   recordNearWalls(c, row, w.axis, w.x, w.high, -1, w.friction);
@@ -222,11 +248,10 @@ function bounceAndRecord(w: Walls, c: Columns, row: i32): void {
 }
 
 // Handles one vector of rows of which at least one may be outside.
-function bounce(w: Walls, row: i32): void {
+function bounce(w: Walls, row: i32, start: usize): void {
   const axis = w.axis;
   const x = w.x;
   const v = w.v;
-  const start = w.start;
   const low = w.low;
   const high = w.high;
   const restitution = w.restitution;
@@ -241,7 +266,7 @@ function bounce(w: Walls, row: i32): void {
   const upper = sub(splat(high), radius);
   const solid = v128.and(v128.gt<real>(radius, zero), v128.gt<real>(v128.load(c.mass + o), zero));
   const e = v128.max<real>(v128.load(c.restitution + o), splat(restitution));
-  holdRestingBodies(w, row, lower, upper, v128.and(solid, v128.le<real>(e, splat(REST_RESTITUTION))));
+  holdRestingBodies(w, row, start, lower, upper, v128.and(solid, v128.le<real>(e, splat(REST_RESTITUTION))));
   // A body that contacts pushed beyond a wall and that returns within the step is left alone; correcting it would lift
   // it.
   const displacement = mul(v128.load(v + o), splat(dt));
@@ -257,11 +282,11 @@ function bounce(w: Walls, row: i32): void {
     const hitHigh = v128.and(v128.gt<real>(position, upper), active);
     if (!v128.any_true(v128.or(hitLow, hitHigh))) break;
     if (v128.any_true(hitLow)) {
-      const change = rebound(x + o, v + o, start + o, lower, splat(1), hitLow, e, splat(dt), splat(lag));
+      const change = rebound(x + o, v + o, start, lower, splat(1), hitLow, e, splat(dt), splat(lag));
       recordImpacts(c, row, change, axis, 1, friction);
     }
     if (v128.any_true(hitHigh)) {
-      const change = rebound(x + o, v + o, start + o, upper, splat(-1), hitHigh, e, splat(dt), splat(lag));
+      const change = rebound(x + o, v + o, start, upper, splat(-1), hitHigh, e, splat(dt), splat(lag));
       recordImpacts(c, row, change, axis, -1, friction);
     }
   }
@@ -275,11 +300,11 @@ function bounce(w: Walls, row: i32): void {
 }
 
 // Holds the lanes `canRest` that began the step at rest on a wall and end it beyond the wall.
-function holdRestingBodies(w: Walls, row: i32, lower: v128, upper: v128, canRest: v128): void {
+function holdRestingBodies(w: Walls, row: i32, start: usize, lower: v128, upper: v128, canRest: v128): void {
   const o = at(row);
   const x = v128.load(w.x + o);
   const origin = v128.load(w.origin + o);
-  const resting = v128.and(canRest, v128.eq<real>(v128.load(w.start + o), splat(0)));
+  const resting = v128.and(canRest, v128.eq<real>(v128.load(start), splat(0)));
   const onLow = v128.and(resting, v128.and(v128.lt<real>(x, lower), v128.eq<real>(origin, lower)));
   const onHigh = v128.and(resting, v128.and(v128.gt<real>(x, upper), v128.eq<real>(origin, upper)));
   restingLanes = v128.or(onLow, onHigh);
