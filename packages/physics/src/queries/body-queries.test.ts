@@ -20,6 +20,7 @@ import {
   segment,
   spawn,
   spawnCompound,
+  standard,
 } from '../index.ts';
 
 const close = (value: number, digits = 10) => expect.closeTo(value, digits);
@@ -193,6 +194,25 @@ test('the body at a point is one whose shape contains it', () => {
   expect(bodyAt(world, { x: 0.56, y: 0.56 })).toBe(0);
   expect(bodyAt(world, { x: 0.56, y: 0.56 }, { margin: 0.1 })).not.toBe(0);
   expect(bodyAt(world, { x: 0.53, y: 1.3 })).toBe(ids[1]);
+});
+
+test.each([
+  ['standard', standard],
+  ['rigidBodies', rigidBodies],
+])('a radius written beside a shape means nothing to queries, %s', (_, preset) => {
+  const world = createPhysicsWorld({ preset, capacity: 1000 });
+  const plank = spawn(world, { position: {}, collider: { shape: box(4, 0.2) } });
+  world.components.Collider.radius[plank] = 0.01;
+  // From above through the end of the plank, 1.9 m from its middle.
+  const above = { x: 1.9, y: 3 };
+  expect(rayCast(world, above, { x: 1.9, y: -3 })).toMatchObject({ body: plank, fraction: close((3 - 0.1) / 6) });
+  expect(castShape(world, circle(0.1), above, { y: -6 })).toMatchObject({
+    body: plank,
+    fraction: close((3 - 0.2) / 6, 4),
+  });
+  expect(nearestPoint(world, { x: 1.9, y: 1 })).toMatchObject({ body: plank, distance: close(0.9) });
+  expect(overlapShape(world, circle(0.1), { x: 1.9 })).toEqual([plank]);
+  expect(bodyAt(world, { x: 1.9 })).toBe(plank);
 });
 
 test('queries refuse what they cannot answer', () => {

@@ -1,4 +1,5 @@
 import { distanceToShape } from '../collision/shapes/2d/distance-to-shape.ts';
+import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt } from '../collision/shapes/shape-pool.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
@@ -37,8 +38,10 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
     const dy = Position.y[id] - y;
     const dz = (Position.z[id] - z) * depth;
     const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    const reach = Math.max(Collider.radius[id], Appearance.size[id]) + margin;
-    if (distance <= reach && distance < nearest && isNearShape(world, id, -dx, -dy, margin)) {
+    if (!(distance < nearest)) continue;
+    const shape = Collider.shape[id] > 0 ? shapeAt(world, Collider.shape[id]) : undefined;
+    const reach = Math.max(shape?.extent ?? Collider.radius[id], Appearance.size[id]) + margin;
+    if (distance <= reach && isNearShape(world, id, shape, -dx, -dy, margin)) {
       nearest = distance;
       found = id;
     }
@@ -47,9 +50,14 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
 }
 
 /** Whether a point, given from the centre of a body, is within a distance of its shape; discs and balls have none. */
-function isNearShape(world: PhysicsWorld, id: number, x: number, y: number, margin: number): boolean {
-  const { Collider, Rotation } = world.components;
-  const shape = Collider.shape[id] > 0 ? shapeAt(world, Collider.shape[id]) : undefined;
+function isNearShape(
+  { components: { Rotation } }: PhysicsWorld,
+  id: number,
+  shape: Shape | undefined,
+  x: number,
+  y: number,
+  margin: number,
+): boolean {
   if (shape === undefined) return true;
   const angle = Rotation.angle[id];
   const [c, s] = [cos(angle), sin(angle)];

@@ -4,6 +4,7 @@ import { columns, get } from '../../../memory/columns';
 import { cosine, sine } from '../../../math/elementary';
 import { RelativePose } from '../../narrow-phase/2d/relative-pose';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
+import { extentOf } from '../../shapes/2d/shape-pool';
 
 @unmanaged
 export class BodyQuery {
@@ -70,7 +71,7 @@ export function nextNear(q: BodyQuery, row: i32): i32 {
     if (q.seesSensors == 0 && load<u32>(q.sensor + ((<usize>r) << 2)) != 0) continue;
     const toX = get(c.positionX, r) - q.x;
     const toY = get(c.positionY, r) - q.y;
-    if (comesNear(toX, toY, pathX, pathY, inverse, get(c.radius, r) + q.reach)) return r;
+    if (comesNear(toX, toY, pathX, pathY, inverse, extentOf(r) + q.reach)) return r;
   }
   return 0;
 }

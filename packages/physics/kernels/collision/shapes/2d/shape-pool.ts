@@ -29,6 +29,15 @@ export function makeCircle(into: Shape, radius: real): void {
   return index > 0 && index < <u32>c.shapeCount ? poolShape(index).radius : get(c.radius, row);
 }
 
+// The greatest distance of the surface of a body's shape from its position. It is not `Collider.radius` for all of them:
+// anything may have been written there beside a shape.
+// @ts-ignore: decorator
+@inline export function extentOf(row: i32): real {
+  const c = columns();
+  const index = load<u32>(c.shape + ((<usize>row) << 2));
+  return index > 0 && index < <u32>c.shapeCount ? poolShape(index).extent : get(c.radius, row);
+}
+
 // The shape of a body. Where the column names no shape of the pool it is the circle of `Collider.radius`, which is then
 // written to `spare`.
 // @ts-ignore: decorator
