@@ -66,6 +66,69 @@ function blend(first: usize, stops: u32, shade: u32): u32 {
   put(column, row, <real>(<f64>load<f32>(factors + ((<usize>slot) << 2)) * size));
 }
 
+// The elapsed fractions of two lives; `lifetimes` holds them in its first two lanes.
+// @ts-ignore: decorator
+@inline export function fractionsOf(lifetimes: v128, births: usize, clock: f64): v128 {
+  return f64x2.div(f64x2.sub(f64x2.splat(clock), v128.load(births)), f64x2.promote_low_f32x4(lifetimes));
+}
+
+// The last two lanes of four, as the first two.
+// @ts-ignore: decorator
+@inline export function lastTwo(lanes: v128): v128 {
+  return v128.shuffle<f64>(lanes, lanes, 1, 1);
+}
+
+// As `writeColor`, for four neighbouring rows of which `column` is the first. The fractions are those of two rows each.
+// @ts-ignore: decorator
+@inline export function writeColors(colors: usize, ramps: usize, column: usize, first: v128, second: v128): void {
+  const shades = f64x2.splat(SHADES);
+  const shade = v128.shuffle<u64>(
+    i32x4.trunc_sat_f64x2_u_zero(f64x2.mul(first, shades)),
+    i32x4.trunc_sat_f64x2_u_zero(f64x2.mul(second, shades)),
+    0,
+    2,
+  );
+  const at = i32x4.shl(i32x4.add(i32x4.mul(v128.load(ramps), i32x4.splat(SHADES)), shade), 2);
+  store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 0)));
+  store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 1)), 4);
+  store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 2)), 8);
+  store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 3)), 12);
+}
+
+// As `writeSize`, for four neighbouring rows of which `column` is the first.
+// @ts-ignore: decorator
+@inline export function writeSizes(
+  sizes: usize,
+  stops: i32,
+  factors: usize,
+  column: usize,
+  first: v128,
+  second: v128,
+): void {
+  const factor = v128.load(factors);
+  const a = f64x2.mul(f64x2.promote_low_f32x4(factor), sizesAt(sizes, stops, first));
+  const b = f64x2.mul(f64x2.promote_low_f32x4(lastTwo(factor)), sizesAt(sizes, stops, second));
+  if (sizeof<real>() == 4) {
+    v128.store(column, v128.shuffle<u64>(f32x4.demote_f64x2_zero(a), f32x4.demote_f64x2_zero(b), 0, 2));
+  } else {
+    v128.store(column, a);
+    v128.store(column, b, 16);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function sizesAt(sizes: usize, stops: i32, fractions: v128): v128 {
+  if (stops == 1) return v128.load_splat<u64>(sizes);
+  const position = f64x2.mul(fractions, f64x2.splat(stops - 1));
+  const stop = i32x4.trunc_sat_f64x2_s_zero(position);
+  // Each stop and the next.
+  const a = v128.load(sizes + ((<usize>i32x4.extract_lane(stop, 0)) << 3));
+  const b = v128.load(sizes + ((<usize>i32x4.extract_lane(stop, 1)) << 3));
+  const before = v128.shuffle<f64>(a, b, 0, 2);
+  const step = f64x2.sub(v128.shuffle<f64>(a, b, 1, 3), before);
+  return f64x2.add(before, f64x2.mul(step, f64x2.sub(position, f64x2.convert_low_i32x4_s(stop))));
+}
+
 // Sets the initial colour and size of a particle.
 export function applyAppearance(e: Emitter, slot: u32, row: u32, fraction: f64): void {
   writeColor(e.colors, e.ramp, e.color, slot, row, fraction);

@@ -2,9 +2,8 @@
 //
 // All births since the last step are made now, each at its own time: the i-th when rate x time reaches an integer. So
 // a stream of particles is the same for steps of any length, and has no gaps between frames.
+import { ageParticles } from './age';
 import { createParticle } from './birth';
-import { writeColor, writeSize } from './appearance';
-import { end } from './pool';
 import { turnTo } from './turn';
 import { Burst, Emitter, word } from './record';
 
@@ -21,49 +20,6 @@ export function stepEmitter(emitter: usize, dt: f64): void {
   e.lastY = e.y;
   e.lastZ = e.z;
   e.pending = dt;
-}
-
-// The loop reads the record through locals, because the compiler must assume that stores to columns change the
-// record. The elapsed fraction of a life is below 1, so it always has a next stop.
-function ageParticles(e: Emitter): void {
-  if (e.alive == 0) return;
-  const clock = e.clock;
-  const lifetimes = e.lifetime;
-  const births = e.bornAt;
-  const ids = e.ids;
-  const ownGenerations = e.generation;
-  const generations = e.generations;
-  const colors = e.colors;
-  const ramps = e.ramp;
-  const color = e.color;
-  const sizes = changetype<usize>(e) + offsetof<Emitter>('size0');
-  const stops = e.sizeStops;
-  const factors = e.sizeFactor;
-  const size = e.size;
-  const updatesColor = e.refreshAppearance != 0 || hasColorRamp(e);
-  const updatesSize = e.refreshAppearance != 0 || stops > 1;
-  for (let slot: i32 = 0, capacity = e.capacity; slot < capacity; slot++) {
-    const lifetime = <f64>load<f32>(lifetimes + ((<usize>slot) << 2));
-    if (lifetime == 0) continue;
-    const elapsed = clock - load<f64>(births + ((<usize>slot) << 3));
-    const row = word(ids, slot);
-    if (elapsed >= lifetime || word(generations, row) != word(ownGenerations, slot)) {
-      end(e, slot);
-      continue;
-    }
-    const fraction = elapsed / lifetime;
-    if (updatesColor) writeColor(colors, ramps, color, slot, row, fraction);
-    if (updatesSize) writeSize(sizes, stops, factors, size, slot, row, fraction);
-  }
-  e.refreshAppearance = 0;
-  if (updatesColor || updatesSize) e.changed = 1;
-}
-
-function hasColorRamp(e: Emitter): bool {
-  for (let ramp: i32 = 0; ramp < e.rampCount; ramp++) {
-    if (word(changetype<usize>(e) + offsetof<Emitter>('stops0'), ramp) > 1) return true;
-  }
-  return false;
 }
 
 function emitStream(e: Emitter): void {

@@ -128,6 +128,37 @@ describe('a particle', () => {
     expect(seen[8][1]).toBe(0);
   });
 
+  test.each([
+    ['neighbours', 'f32'],
+    ['neighbours', 'f64'],
+    ['scattered', 'f32'],
+    ['scattered', 'f64'],
+  ] as const)('shows its age and ends in time where the rows of its pool are %s (%s)', (place, precision) => {
+    const world = createPhysicsWorld({ capacity: 100, precision });
+    const others = Array.from({ length: 30 }, () => spawn(world, { position: {} }));
+    if (place === 'scattered') for (let i = 0; i < 30; i += 3) despawn(world, others[i]);
+    // Two groups of four slots, and one more.
+    const capacity = 9;
+    const color = [rgba(0, 0, 0), rgba(1, 0, 0)];
+    const emitter = createEmitter(world, { capacity, lifetime: 1, color, size: [1, 0], mass: 1 });
+    const gaps = emitter.ids.slice(1).map((id, i) => id - emitter.ids[i]);
+    expect(gaps.every((gap) => gap === 1)).toBe(place === 'neighbours');
+    const { Appearance, Mass } = world.components;
+    // Particle number i is born at i/8 s; the shades of red are 256 steps of a life.
+    for (let now = 0; now <= 16; now++) {
+      if (now < capacity) burst(emitter, 1);
+      step(world, 1 / 8);
+      emitter.ids.forEach((id, i) => {
+        const age = (now - i) / 8;
+        const lives = age >= 0 && age < 1;
+        expect(Mass.value[id], `particle ${i} at ${now / 8} s`).toBe(lives ? 1 : 0);
+        expect(Appearance.size[id]).toBe(lives ? 1 - age : 0);
+        if (lives) expect(Math.abs((Appearance.color[id] & 255) - 255 * age)).toBeLessThanOrEqual(1);
+      });
+    }
+    expect(emitterCounts(emitter)).toMatchObject({ born: capacity, ended: capacity });
+  });
+
   test.each([Math.PI, 1.5, 1e-9])('leaves at an accurate angle within a spread of %d rad', (spread) => {
     const { emitter, world } = emitting({ capacity: 5000, spread, direction: { x: 1 } });
     const random = createRandom(0);
