@@ -171,24 +171,29 @@ function restingBodies(columns: WorldColumns, start: Moved, result: Result, box:
     graph.make('real', [], at),
   );
   const and = (nodes: readonly Node[]) => nodes.reduce((a, b) => graph.make('and', [a, b]));
-  const isInelastic = graph.make('lessOrEqual', [restitution, graph.constant(REST_RESTITUTION)]);
-  const isFrictionless = box.friction === 0 ? [] : [graph.make('lessOrEqual', [friction, graph.zero])];
-  const canRest = and([isMovable, graph.make('less', [graph.zero, radius]), isInelastic, ...isFrictionless]);
-  const stores: Store[] = [];
-  const conditions = axisNames.flatMap((axis, i) => {
-    const [x, x0] = [result.position[i], start.position[i]];
+  const isSolid = and([isMovable, graph.make('less', [graph.zero, radius])]);
+  const sides = axisNames.map((axis, i) => {
+    const x = result.position[i];
     const low = graph.make('add', [graph.constant(box.low[axis]), radius]);
     const high = graph.make('sub', [graph.constant(box.high[axis]), radius]);
     // In this order NaN stays NaN, which equals nothing.
     const clamped = graph.make('min', [graph.make('max', [x, low]), high]);
-    const isInside = graph.make('equal', [clamped, x]);
-    const isAtRest = and([graph.make('equal', [start.velocity[i], graph.zero]), canRest]);
-    const staysAtRest = and([graph.make('equal', [clamped, x0]), isAtRest]);
-    stores.push({ address: Position[axis], node: clamped });
-    stores.push({ address: Velocity[axis], node: graph.make('keep', [isInside, result.velocity[i]]) });
+    return { low, high, clamped, isInside: graph.make('equal', [clamped, x]) };
+  });
+  const conditions = sides.flatMap(({ low, high, clamped, isInside }, i) => {
+    const isAtRest = and([graph.make('equal', [start.velocity[i], graph.zero]), isSolid]);
+    const staysAtRest = and([graph.make('equal', [clamped, start.position[i]]), isAtRest]);
     return [graph.make('lessOrEqual', [low, high]), graph.make('or', [isInside, staysAtRest])];
   });
   if (!isClosed(columns, box) || !endsWithDrift(columns, result))
     conditions.push(rangeTest(columns, result, LEAST_WEIGHT));
-  return { condition: and(conditions), stores };
+  const isInelastic = graph.make('lessOrEqual', [restitution, graph.constant(REST_RESTITUTION)]);
+  const isFrictionless = box.friction === 0 ? [] : [graph.make('lessOrEqual', [friction, graph.zero])];
+  const canRest = and([isInelastic, ...isFrictionless]);
+  const stores = sides.flatMap(({ clamped, isInside }, i): Store[] => [
+    { address: Position[axisNames[i]], node: clamped },
+    { address: Velocity[axisNames[i]], node: graph.make('keep', [isInside, result.velocity[i]]) },
+  ]);
+  const areInside = and(sides.map(({ isInside }) => isInside));
+  return { atRest: and(conditions), canRest: graph.make('or', [areInside, canRest]), stores };
 }

@@ -33,16 +33,20 @@ function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly
     return;
   }
   const { resting } = walls;
-  pushFails(emitter, resting.condition);
-  code.add('if');
-  emitter.branch(() => emitFailures(emitter, source));
-  code.add('else');
+  // The labels: all of it, and what is not at rest.
+  code.add('block').add('block');
+  pushFails(emitter, resting.atRest);
+  code.add('br_if', 0);
   emitter.branch(() => {
+    pushFails(emitter, resting.canRest);
+    code.add('br_if', 0);
     for (const { address, node } of resting.stores) {
       emitter.push(node);
       code.add('local.set', results[stores.findIndex((store) => store.address === address)]);
     }
   });
+  code.add('br', 1).add('end');
+  emitter.branch(() => emitFailures(emitter, source));
   code.add('end');
 }
 

@@ -45,16 +45,10 @@ function shiftOf({ stored }: LoopSource['types']): number {
 }
 
 function rootsOf({ stores, inRange, walls, fastCheck, total }: LoopSource): Node[] {
-  const stored = [...stores, ...(walls?.resting?.stores ?? [])].map(({ node }) => node);
-  return [
-    ...stored,
-    ...(walls?.startVelocity ?? []),
-    inRange,
-    walls?.inside,
-    walls?.resting?.condition,
-    fastCheck,
-    total,
-  ].filter((node) => node !== undefined);
+  const { resting, startVelocity = [], inside } = walls ?? {};
+  const stored = [...stores, ...(resting?.stores ?? [])].map(({ node }) => node);
+  const tests = [inRange, inside, resting?.atRest, resting?.canRest, fastCheck];
+  return [...stored, ...startVelocity, ...tests, total].filter((node) => node !== undefined);
 }
 
 function parametersOf(name: Operation): ModuleSource['parameters'] {

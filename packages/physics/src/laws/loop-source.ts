@@ -8,6 +8,14 @@ export interface Store {
   readonly node: Node;
 }
 
+/** If both conditions hold for all bodies of a vector, it is not listed, and `stores` replaces its results. */
+export interface RestTest {
+  readonly atRest: Node;
+  /** It is asked for second, because it takes columns that only bodies at rest need. */
+  readonly canRest: Node;
+  readonly stores: readonly Store[];
+}
+
 /** Wall test: vectors of bodies that are not inside are appended to a list. */
 export interface WallTest {
   readonly inside: Node;
@@ -15,8 +23,7 @@ export interface WallTest {
   readonly startVelocity: readonly Node[];
   /** Address of the list, a `WallList` of kernels/particle-contacts/walls/box.ts. */
   readonly list: number;
-  /** If the condition holds for all bodies of a vector, the vector is not listed, and `stores` replaces its results. */
-  readonly resting?: { readonly condition: Node; readonly stores: readonly Store[] } | undefined;
+  readonly resting?: RestTest | undefined;
 }
 
 /** A loop as arithmetic. */

@@ -109,8 +109,8 @@ export class ListedVector {
   unused2: i32;
 }
 
-// From one entry of the list to the next.
-export const LISTED_VECTOR_SIZE: usize = 3 * 16 + offsetof<ListedVector>();
+// From one entry of the list to the next. Behind the velocities is a vector for the restitutions.
+export const LISTED_VECTOR_SIZE: usize = 4 * 16 + offsetof<ListedVector>();
 
 // The walls of a box, written by src/particle-contacts/box-walls.ts. A coordinate of 1e30 means no wall. A negative
 // `friction` means that the bodies' own coefficient applies. `start` and `origin` are the columns of velocity and
@@ -145,7 +145,7 @@ class Walls {
   origin: usize;
   low: real;
   high: real;
-  restitution: real;
+  restitution: f64;
   friction: real;
   dt: real;
   lag: real;
@@ -164,7 +164,7 @@ function wallsAcross(box: Box, axis: i32, dt: real, lag: real): Walls {
   w.origin = load<usize>(changetype<usize>(box) + ((<usize>axis) << 2), offsetof<Box>('originX'));
   w.low = <real>load<f64>(changetype<usize>(box) + ((<usize>axis) << 3), offsetof<Box>('lowX'));
   w.high = <real>load<f64>(changetype<usize>(box) + ((<usize>axis) << 3), offsetof<Box>('highX'));
-  w.restitution = <real>box.restitution;
+  w.restitution = box.restitution;
   w.friction = <real>box.friction;
   w.dt = dt;
   w.lag = lag;
@@ -197,7 +197,7 @@ function sweepRows(w: Walls, first: i32, last: i32): void {
     if (!v128.any_true(outside)) continue;
     for (let i = row; i < row + BLOCK; i += LANES) {
       if (!v128.any_true(isOutside(x + at(i), radius + at(i), reach, lowest, highest))) continue;
-      bounceAndRecord(w, c, i, w.start + at(i));
+      bounceAndRecord(w, c, i, w.start + at(i), restitutionsOf(c, at(i), w.restitution));
     }
   }
 }
@@ -210,16 +210,23 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
   const end = changetype<WallList>(list).end;
   const limit = splat(maxSpeed);
   const reach = reachOf(c);
+  const first = list + offsetof<WallList>();
+  const restitutions = LISTED_VECTOR_SIZE - 16;
+  // Nothing else of their column is read, so that each comes from far: all are asked for before the first is needed.
+  for (let p = first; p < end; p += LISTED_VECTOR_SIZE) {
+    v128.store(p + restitutions, restitutionsOf(c, changetype<ListedVector>(p).offset, b.restitution));
+  }
   let invalidCount = 0;
   for (let axis = 0; axis < b.axes; axis++) {
     const w = wallsAcross(b, axis, dt, lag);
     const lowest = splat(w.low);
     const highest = splat(w.high);
     const start = offsetof<ListedVector>() + ((<usize>axis) << 4);
-    for (let p = list + offsetof<WallList>(); p < end; p += LISTED_VECTOR_SIZE) {
+    for (let p = first; p < end; p += LISTED_VECTOR_SIZE) {
       const o = changetype<ListedVector>(p).offset;
       if (!v128.any_true(isOutside(w.x + o, c.radius + o, reach, lowest, highest))) continue;
-      bounceAndRecord(w, c, <i32>(o / sizeof<real>()), savesVelocity ? w.start + o : p + start);
+      const row = <i32>(o / sizeof<real>());
+      bounceAndRecord(w, c, row, savesVelocity ? w.start + o : p + start, v128.load(p + restitutions));
       if (!v128.all_true<i32>(v128.le<real>(v128.abs<real>(v128.load(w.v + o)), limit))) invalidCount++;
     }
   }
@@ -232,9 +239,15 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
   return splat(c.contacts == 0 ? <real>1 : WALL_MARGIN);
 }
 
-// `start` is the address of the bodies' velocities at the start of the step.
-function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize): void {
-  bounce(w, row, start);
+// Of contacts with a wall; `o` is the offset of the bodies in a column.
+// @ts-ignore: decorator
+@inline function restitutionsOf(c: Columns, o: usize, wall: f64): v128 {
+  return v128.max<real>(v128.load(c.restitution + o), splat(<real>wall));
+}
+
+// `start` is the address of the bodies' velocities at the start of the step, and `e` their restitutions.
+function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize, e: v128): void {
+  bounce(w, row, start, e);
   if (c.contacts == 0) return;
   recordNearWalls(c, row, w.axis, w.x, w.low, 1, w.friction);
   recordNearWalls(c, row, w.axis, w.x, w.high, -1, w.friction);
@@ -248,13 +261,12 @@ function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize): void {
 }
 
 // Handles one vector of rows of which at least one may be outside.
-function bounce(w: Walls, row: i32, start: usize): void {
+function bounce(w: Walls, row: i32, start: usize, e: v128): void {
   const axis = w.axis;
   const x = w.x;
   const v = w.v;
   const low = w.low;
   const high = w.high;
-  const restitution = w.restitution;
   const friction = w.friction;
   const dt = w.dt;
   const lag = w.lag;
@@ -265,7 +277,6 @@ function bounce(w: Walls, row: i32, start: usize): void {
   const lower = add(splat(low), radius);
   const upper = sub(splat(high), radius);
   const solid = v128.and(v128.gt<real>(radius, zero), v128.gt<real>(v128.load(c.mass + o), zero));
-  const e = v128.max<real>(v128.load(c.restitution + o), splat(restitution));
   holdRestingBodies(w, row, start, lower, upper, v128.and(solid, v128.le<real>(e, splat(REST_RESTITUTION))));
   // A body that contacts pushed beyond a wall and that returns within the step is left alone; correcting it would lift
   // it.
