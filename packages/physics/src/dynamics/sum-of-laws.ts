@@ -99,9 +99,12 @@ function totalAcceleration(columns: WorldColumns, { force, acceleration }: Sum):
 export function velocityChange(columns: WorldColumns, { force, acceleration }: Sum, duration: Node): Axes {
   const { graph, mass, isMovable } = columns;
   const perForce = graph.make('div', [duration, mass]);
+  const masked = (change: Node) => graph.make('keep', [isMovable, change]);
   return eachAxis((i) => {
     const byField = graph.make('mul', [acceleration[i], duration]);
-    return graph.make('keep', [isMovable, graph.make('add', [graph.make('mul', [force[i], perForce]), byField])]);
+    const change = graph.make('add', [graph.make('mul', [force[i], perForce]), byField]);
+    // The sign stands outside the mask, where a sum becomes a difference.
+    return change.op === 'negate' ? graph.make('negate', [masked(change.args[0])]) : masked(change);
   });
 }
 
