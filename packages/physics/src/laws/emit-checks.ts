@@ -5,7 +5,18 @@ import type { LoopSource, WallTest } from './loop-source.ts';
 import type { Node } from './node.ts';
 
 /** The parameters of a loop, `first`, `last` and `checked`, and its own locals. */
-export const LOCALS = { first: 0, last: 1, checked: 2, offset: 3, end: 4, listEnd: 5, listStart: 6, total: 7 } as const;
+export const LOCALS = {
+  first: 0,
+  last: 1,
+  checked: 2,
+  offset: 3,
+  end: 4,
+  listEnd: 5,
+  listStart: 6,
+  total: 7,
+  /** Whether the bodies of the last vector that failed the cheap check stay at rest. */
+  rests: 8,
+} as const;
 
 /** Checks the vectors of an iteration, with the locals of their results. */
 export function emitChecks(emitter: NodeEmitter, source: LoopSource, results: readonly (readonly number[])[]): void {
@@ -34,6 +45,7 @@ function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly
   }
   const { resting } = walls;
   // The labels: all of it, and what is not at rest.
+  code.add('i32.const', 0).add('local.set', LOCALS.rests);
   code.add('block').add('block');
   pushFails(emitter, resting.atRest);
   code.add('br_if', 0);
@@ -45,7 +57,7 @@ function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly
       code.add('local.set', results[stores.findIndex((store) => store.address === address)]);
     }
   });
-  code.add('br', 1).add('end');
+  code.add('i32.const', 1).add('local.set', LOCALS.rests).add('br', 1).add('end');
   emitter.branch(() => emitFailures(emitter, source));
   code.add('end');
 }

@@ -14,7 +14,7 @@ const TWO_ARGUMENTS = new Set<Operation>(['pow', 'atan2']);
 export function emitLoop(source: LoopSource): ModuleSource {
   const { walls, total, types, vectors = 1 } = source;
   const emitter = new NodeEmitter(types, 3, LOCALS.offset, source.noteOf);
-  for (const type of ['i32', 'i32', 'i32', 'i32', 'v128'] as const) emitter.local(type);
+  for (const type of ['i32', 'i32', 'i32', 'i32', 'v128', 'i32'] as const) emitter.local(type);
   const shift = shiftOf(types);
   const { code } = emitter;
   emitter.begin(rootsOf(source), vectors);
@@ -89,9 +89,22 @@ function emitIterations(emitter: NodeEmitter, source: LoopSource): void {
   };
   // One vector is computed again, so that the inner loop need not keep its values for the checks; two are not, which would
   // take longer.
-  if (results.length === 1) emitter.recompute(() => handle(emitResults(emitter, source)));
+  if (results.length === 1)
+    emitter.recompute(() => repeatAtRest(emitter, source, () => handle(emitResults(emitter, source))));
   else emitter.branch(() => handle(results));
   code.add('br_if', 0).add('end').add('end');
+}
+
+/** Repeats what `handle` emits while bodies are at rest, because where one lies on the floor the next do, too. */
+function repeatAtRest({ code }: NodeEmitter, { walls }: LoopSource, handle: () => void): void {
+  if (walls?.resting === undefined) {
+    handle();
+    return;
+  }
+  code.add('loop');
+  handle();
+  code.add('local.get', LOCALS.rests).add('i32.and').add('br_if', 0).add('end');
+  code.add('local.get', LOCALS.offset).add('local.get', LOCALS.end).add('i32.lt_u');
 }
 
 /** Computes the results of the vectors of an iteration, and returns their locals. */

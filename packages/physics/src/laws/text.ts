@@ -1,15 +1,16 @@
 // Prints functions in the text format of WebAssembly (Core Specification 2.0, section 6), with the names of columns as
 // comments beside the addresses.
+import { LOCALS } from './emit-checks.ts';
 import type { ModuleSource } from './encode.ts';
 import { type Instruction, opcodeOf } from './instructions.ts';
 
-const PARAMETERS = ['first', 'last', 'checked'];
-const LOCALS = ['offset', 'end', 'listEnd', 'listStart', 'total'];
+/** In the order of their indices. */
+const NAMES = Object.keys(LOCALS);
 
 /** A module as text. */
 export function printModule(source: ModuleSource): string {
   const { imports, name, parameters, result, locals, code } = source;
-  const nameOf = (index: number) => `$${[...PARAMETERS, ...LOCALS][index] ?? `v${index}`}`;
+  const nameOf = (index: number) => `$${NAMES[index] ?? `v${index}`}`;
   const lines = ['(module', '  (import "env" "memory" (memory 1))'];
   for (const each of imports) {
     lines.push(
