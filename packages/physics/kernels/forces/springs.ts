@@ -40,34 +40,55 @@ export class SpringTable {
 
 // Separates the springs with two living ends from those that lost an end, and finds the stiffest. A spring without
 // ends (a = b = 0), or with ends overwritten by invalid values, is skipped.
+//
+// The loops over springs read the records through locals, because the compiler must assume that stores change them.
 export function scanSprings(table: usize, position: u32): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
+  const count = t.count;
+  const rows = <u32>t.rows;
+  const ids = t.ids;
+  const firsts = t.a;
+  const seconds = t.b;
+  const firstGenerations = t.aGeneration;
+  const secondGenerations = t.bGeneration;
+  const generations = t.generations;
+  const members = c.members;
+  const masses = c.mass;
+  const stiffnesses = t.stiffness;
+  const dampings = t.damping;
+  const links = t.links;
   let active = 0;
   let dangling = 0;
   let maxStiffness: f64 = 0;
   let maxDamping: f64 = 0;
-  for (let i = 0; i < t.count; i++) {
-    const spring = word(t.ids, i);
-    const a = word(t.a, spring);
-    const b = word(t.b, spring);
-    if (a == 0 || b == 0 || a == b || a >= <u32>t.rows || b >= <u32>t.rows) continue;
+  for (let i = 0; i < count; i++) {
+    const spring = word(ids, i);
+    const a = word(firsts, spring);
+    const b = word(seconds, spring);
+    if (a == 0 || b == 0 || a == b || a >= rows || b >= rows) continue;
     if (
-      !isAlive(c.members, a, t.generations, word(t.aGeneration, spring), position) ||
-      !isAlive(c.members, b, t.generations, word(t.bGeneration, spring), position)
+      !isAlive(members, a, generations, word(firstGenerations, spring), position) ||
+      !isAlive(members, b, generations, word(secondGenerations, spring), position)
     ) {
       store<u32>(t.dangling + ((<usize>dangling) << 2), spring);
       dangling++;
       continue;
     }
-    const link = t.links + <usize>active * 12;
+    const link = links + <usize>active * 12;
     store<u32>(link, spring);
     store<u32>(link, a, 4);
     store<u32>(link, b, 8);
     active++;
-    const inverse = inverseMass(get(c.mass, a)) + inverseMass(get(c.mass, b));
-    maxStiffness = max<f64>(maxStiffness, <f64>get(t.stiffness, spring) * inverse);
-    maxDamping = max<f64>(maxDamping, <f64>get(t.damping, spring) * inverse);
+    const massA = <f64>get(masses, a);
+    const massB = <f64>get(masses, b);
+    const stiffness = <f64>get(stiffnesses, spring);
+    const damping = <f64>get(dampings, spring);
+    // 1/m_a + 1/m_b as a fraction, so that only a new maximum takes a division. A body without mass is an anchor.
+    const above = massA > 0 && massB > 0 ? massA + massB : massA > 0 || massB > 0 ? 1 : 0;
+    const below = (massA > 0 ? massA : 1) * (massB > 0 ? massB : 1);
+    if (stiffness * above > maxStiffness * below) maxStiffness = (stiffness * above) / below;
+    if (damping * above > maxDamping * below) maxDamping = (damping * above) / below;
   }
   t.active = active;
   t.danglingCount = dangling;
@@ -75,17 +96,11 @@ export function scanSprings(table: usize, position: u32): void {
   t.maxDamping = maxDamping;
 }
 
+// Tension at an extension that grows at `rate`. A slack tension-only spring exerts none, and a taut one never pushes.
 // @ts-ignore: decorator
-@inline function inverseMass(mass: real): f64 {
-  return mass > 0 ? 1 / <f64>mass : 0;
-}
-
-// Tension at a distance d that grows at `rate`. A slack tension-only spring exerts none, and a taut one never pushes.
-// @ts-ignore: decorator
-@inline function tension(t: SpringTable, spring: u32, d: real, rate: real): real {
-  const extension = d - get(t.length, spring);
-  const force = get(t.stiffness, spring) * extension + get(t.damping, spring) * rate;
-  if (word(t.tensionOnly, spring) == 0) return force;
+@inline function tension(extension: real, rate: real, stiffness: real, damping: real, tensionOnly: u32): real {
+  const force = stiffness * extension + damping * rate;
+  if (tensionOnly == 0) return force;
   return extension > 0 && force > 0 ? force : 0;
 }
 
@@ -93,18 +108,33 @@ export function scanSprings(table: usize, position: u32): void {
 export function springForces2d(table: usize, fx: usize, fy: usize): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
-  for (let i = 0; i < t.active; i++) {
-    const link = t.links + <usize>i * 12;
+  const positionX = c.positionX;
+  const positionY = c.positionY;
+  const velocityX = c.velocityX;
+  const velocityY = c.velocityY;
+  const lengths = t.length;
+  const stiffnesses = t.stiffness;
+  const dampings = t.damping;
+  const tensionOnly = t.tensionOnly;
+  const end = t.links + <usize>t.active * 12;
+  for (let link = t.links; link < end; link += 12) {
+    const spring = load<u32>(link);
     const a = load<u32>(link, 4);
     const b = load<u32>(link, 8);
-    const x = get(c.positionX, b) - get(c.positionX, a);
-    const y = get(c.positionY, b) - get(c.positionY, a);
+    const x = get(positionX, b) - get(positionX, a);
+    const y = get(positionY, b) - get(positionY, a);
     const d = sqrt<real>(x * x + y * y);
     const nx: real = d > 0 ? x / d : 1;
     const ny: real = d > 0 ? y / d : 0;
-    const vx = get(c.velocityX, b) - get(c.velocityX, a);
-    const vy = get(c.velocityY, b) - get(c.velocityY, a);
-    const force = tension(t, load<u32>(link), d, vx * nx + vy * ny);
+    const vx = get(velocityX, b) - get(velocityX, a);
+    const vy = get(velocityY, b) - get(velocityY, a);
+    const force = tension(
+      d - get(lengths, spring),
+      vx * nx + vy * ny,
+      get(stiffnesses, spring),
+      get(dampings, spring),
+      word(tensionOnly, spring),
+    );
     put(fx, a, get(fx, a) + force * nx);
     put(fy, a, get(fy, a) + force * ny);
     put(fx, b, get(fx, b) - force * nx);
@@ -115,21 +145,38 @@ export function springForces2d(table: usize, fx: usize, fy: usize): void {
 export function springForces3d(table: usize, fx: usize, fy: usize, fz: usize): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
-  for (let i = 0; i < t.active; i++) {
-    const link = t.links + <usize>i * 12;
+  const positionX = c.positionX;
+  const positionY = c.positionY;
+  const positionZ = c.positionZ;
+  const velocityX = c.velocityX;
+  const velocityY = c.velocityY;
+  const velocityZ = c.velocityZ;
+  const lengths = t.length;
+  const stiffnesses = t.stiffness;
+  const dampings = t.damping;
+  const tensionOnly = t.tensionOnly;
+  const end = t.links + <usize>t.active * 12;
+  for (let link = t.links; link < end; link += 12) {
+    const spring = load<u32>(link);
     const a = load<u32>(link, 4);
     const b = load<u32>(link, 8);
-    const x = get(c.positionX, b) - get(c.positionX, a);
-    const y = get(c.positionY, b) - get(c.positionY, a);
-    const z = get(c.positionZ, b) - get(c.positionZ, a);
+    const x = get(positionX, b) - get(positionX, a);
+    const y = get(positionY, b) - get(positionY, a);
+    const z = get(positionZ, b) - get(positionZ, a);
     const d = sqrt<real>(x * x + y * y + z * z);
     const nx: real = d > 0 ? x / d : 1;
     const ny: real = d > 0 ? y / d : 0;
     const nz: real = d > 0 ? z / d : 0;
-    const vx = get(c.velocityX, b) - get(c.velocityX, a);
-    const vy = get(c.velocityY, b) - get(c.velocityY, a);
-    const vz = get(c.velocityZ, b) - get(c.velocityZ, a);
-    const force = tension(t, load<u32>(link), d, vx * nx + vy * ny + vz * nz);
+    const vx = get(velocityX, b) - get(velocityX, a);
+    const vy = get(velocityY, b) - get(velocityY, a);
+    const vz = get(velocityZ, b) - get(velocityZ, a);
+    const force = tension(
+      d - get(lengths, spring),
+      vx * nx + vy * ny + vz * nz,
+      get(stiffnesses, spring),
+      get(dampings, spring),
+      word(tensionOnly, spring),
+    );
     put(fx, a, get(fx, a) + force * nx);
     put(fy, a, get(fy, a) + force * ny);
     put(fz, a, get(fz, a) + force * nz);
