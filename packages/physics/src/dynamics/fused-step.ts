@@ -88,8 +88,8 @@ export function prepareLoops(world: PhysicsWorld): void {
 }
 
 /**
- * Rows per chunk: bodies at walls are handled after each chunk, while their columns are still in the second cache. A fourth
- * of it takes 3 to 10 % longer, because each chunk begins anew; four times as much 5 to 10 % with 10⁶ bodies.
+ * Rows per chunk: bodies at walls are handled after each chunk, while their columns are still in the second-level cache. A
+ * fourth of it takes 3 to 10 % longer, because each chunk begins anew; four times as much 5 to 10 % with 10⁶ bodies.
  */
 const CHUNK_ROWS = 16384;
 
