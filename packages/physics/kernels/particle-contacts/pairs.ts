@@ -74,27 +74,33 @@ function findNeighbours(c: Columns, t: ContactTable, i: i32, groups: i32): void 
   }
 }
 
-// Sorts the bodies into buckets. Rows are placed in order, so they ascend within a bucket.
+// Sorts the bodies into buckets. Rows are placed in order, so they ascend within a bucket. The loops read the records through
+// locals, because the compiler must assume that stores change them.
 function sortBodies(c: Columns, t: ContactTable, rows: i32): void {
+  const rowWords = t.rowWords;
+  const starts = t.starts;
+  const sortedRow = t.sortedRow;
   let end = t.gridCount;
   for (let row = 0; row < rows; row++) {
-    const bucket = word(t.rowWords, row);
+    const bucket = word(rowWords, row);
     if (bucket == -1) continue;
     let position = end;
     if (bucket >= 0) {
-      position = word(t.starts, bucket + 1);
-      putWord(t.starts, bucket + 1, position + 1);
+      position = word(starts, bucket + 1);
+      putWord(starts, bucket + 1, position + 1);
     } else end++;
-    putWord(t.sortedRow, position, row);
+    putWord(sortedRow, position, row);
   }
-  for (let i = 0; i < end; i++) {
-    const row = word(t.sortedRow, i);
-    putWord(t.sortedBucket, i, word(t.rowWords, row));
-    put(t.sortedX, i, get(c.positionX, row));
-    put(t.sortedY, i, get(c.positionY, row));
-    if (t.layer != 0) put(t.sortedZ, i, get(c.positionZ, row));
-    put(t.sortedRadius, i, get(c.radius, row));
-  }
+  sortColumn(c.positionX, t.sortedX, sortedRow, end);
+  sortColumn(c.positionY, t.sortedY, sortedRow, end);
+  if (t.layer != 0) sortColumn(c.positionZ, t.sortedZ, sortedRow, end);
+  sortColumn(c.radius, t.sortedRadius, sortedRow, end);
+  const sortedBucket = t.sortedBucket;
+  for (let i = 0; i < end; i++) putWord(sortedBucket, i, word(rowWords, word(sortedRow, i)));
+}
+
+function sortColumn(column: usize, sorted: usize, rows: usize, end: i32): void {
+  for (let i = 0; i < end; i++) put(sorted, i, get(column, word(rows, i)));
 }
 
 // Returns a bit mask of the bodies from j that are within the contact margin.
