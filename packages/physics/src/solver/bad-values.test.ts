@@ -112,11 +112,14 @@ test('a world too small for rigid bodies, of three dimensions or with another in
   expect(() => createPhysicsWorld({ preset: rigidBodies, integrator: softStep({ substeps: 2 }) })).not.toThrow();
 });
 
-test('softStep in a world without the preset is refused with the name of the preset', () => {
-  const world = createPhysicsWorld({ integrator: softStep() });
-  spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });
-  expect(() => step(world, DT)).toThrow(/preset: rigidBodies/);
-});
+test.each([undefined, 2 ** 24])(
+  'softStep in a world without the preset is refused with its name, arenaBytes %s',
+  (arenaBytes) => {
+    const world = createPhysicsWorld({ integrator: softStep(), ...(arenaBytes && { arenaBytes }) });
+    spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });
+    expect(() => step(world, DT)).toThrow(/preset: rigidBodies/);
+  },
+);
 
 test('a mask with a sign is refused with how to write it', () => {
   const world = createPhysicsWorld({ preset: rigidBodies });

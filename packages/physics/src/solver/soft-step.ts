@@ -13,7 +13,9 @@
 
 import { rigidKernels } from '../collision/kernels.ts';
 import { anyForceAppliesTorque } from '../dynamics/evaluate-forces.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkKeys, checkNumber } from '../errors/validate.ts';
+import { breakJoints } from '../joints/create-joint.ts';
 import { jointTable, refreshJoints } from '../joints/joint-table.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import { markSoftStep } from '../world/is-soft-step.ts';
@@ -108,6 +110,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     // As of semi-implicit Euler with the length of a sub-step.
     isStable: (stiffness, damping) => stiffness / (substeps * substeps) + (2 * damping) / substeps <= 4,
     prepare(world) {
+      assertPreset(world);
       refuseUnsupported(world);
       const { numbers } = rigidTable(world);
       for (const [value, number] of values) numbers[value] = number;
@@ -118,6 +121,15 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     },
     advance: (world, ranges, dt, evaluateForces) =>
       advance(world, ranges, dt, evaluateForces, { substeps, shouldCollide }),
+  });
+}
+
+/** Other systems of the preset end what the integrator begins. @throws PhysicsError E_RANGE */
+function assertPreset({ phases }: PhysicsWorld): void {
+  if (phases.finish.includes(breakJoints)) return;
+  throw new PhysicsError('E_RANGE', 'softStep() solves rigid bodies, and this world was not made for them.', {
+    field: 'integrator',
+    hint: 'Create the world with `preset: rigidBodies`.',
   });
 }
 
