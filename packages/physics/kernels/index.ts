@@ -8,5 +8,5 @@ export * from './forces/springs';
 export * from './forces/attractors';
 export * from './dynamics/drift-kick';
 export * from './dynamics/integrate-rotation';
-export * from './particle-contacts/walls/box';
+export { boxListed, boxRows } from './particle-contacts/walls/box';
 export * from './snapshot/pages';
