@@ -152,7 +152,8 @@ describe('what stands out of the floor stops a box', () => {
     for (const [angle, spin] of [0, 0.05, 0.3, -0.2, Math.PI / 4].flatMap((each) => [-1, 0, 1].map((w) => [each, w]))) {
       const world = rigidWorld({ capacity: 50 });
       layTiles(world, 6, 0);
-      spawn(world, { position: { x: 6.5, y: top - 1 }, collider: { shape: box(1, 2), friction: 0 } });
+      // So long that a box which tips over onto a low step stays on it.
+      spawn(world, { position: { x: 16, y: top - 1 }, collider: { shape: box(20, 2), friction: 0 } });
       const body = spawn(world, {
         position: { x: 4, y: 0.5 * (Math.abs(Math.cos(angle)) + Math.abs(Math.sin(angle))) },
         rotation: angle,

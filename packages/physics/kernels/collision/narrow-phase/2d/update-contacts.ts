@@ -1,8 +1,9 @@
 // The narrow phase: brings the manifold of every contact up to date, and drops contacts whose boxes no longer overlap.
 //
 // Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
-// one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed). Only its
-// separations change, by the same formula as within sub-steps. Source: Box2D 3.2 (physics_world.c).
+// one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed, or touch with a
+// single point: the other corner of a box that tips over was at least that far away). Only its separations change, by the
+// same formula as within sub-steps. Source: Box2D 3.2 (physics_world.c), which has no rule for single points.
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)
 import { columns } from '../../../memory/columns';
@@ -216,7 +217,7 @@ function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
   const extentA = (flagsOf(t, contact.a) & MOVES) != 0 ? a.extent : <real>0;
   const extentB = (flagsOf(t, contact.b) & MOVES) != 0 ? b.extent : <real>0;
   const moved = sqrt<real>(x * x + y * y) + max<real>(extentA, extentB) * turn;
-  const limit = touched ? RECYCLE_DISTANCE : SPECULATIVE_DISTANCE;
+  const limit = touched && contact.count == 2 ? RECYCLE_DISTANCE : SPECULATIVE_DISTANCE;
   return moved < limit;
 }
 
