@@ -41,7 +41,7 @@ export class SpringTable {
 // Separates the springs with two living ends from those that lost an end, and finds the stiffest. A spring without
 // ends (a = b = 0), or with ends overwritten by invalid values, is skipped.
 //
-// The loops over springs read the records through locals, because the compiler must assume that stores change them.
+// The loop reads the records through locals, because the compiler must assume that stores change them.
 export function scanSprings(table: usize, position: u32): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
@@ -96,11 +96,12 @@ export function scanSprings(table: usize, position: u32): void {
   t.maxDamping = maxDamping;
 }
 
-// Tension at an extension that grows at `rate`. A slack tension-only spring exerts none, and a taut one never pushes.
+// Tension at a distance d that grows at `rate`. A slack tension-only spring exerts none, and a taut one never pushes.
 // @ts-ignore: decorator
-@inline function tension(extension: real, rate: real, stiffness: real, damping: real, tensionOnly: u32): real {
-  const force = stiffness * extension + damping * rate;
-  if (tensionOnly == 0) return force;
+@inline function tension(t: SpringTable, spring: u32, d: real, rate: real): real {
+  const extension = d - get(t.length, spring);
+  const force = get(t.stiffness, spring) * extension + get(t.damping, spring) * rate;
+  if (word(t.tensionOnly, spring) == 0) return force;
   return extension > 0 && force > 0 ? force : 0;
 }
 
@@ -108,33 +109,18 @@ export function scanSprings(table: usize, position: u32): void {
 export function springForces2d(table: usize, fx: usize, fy: usize): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
-  const positionX = c.positionX;
-  const positionY = c.positionY;
-  const velocityX = c.velocityX;
-  const velocityY = c.velocityY;
-  const lengths = t.length;
-  const stiffnesses = t.stiffness;
-  const dampings = t.damping;
-  const tensionOnly = t.tensionOnly;
-  const end = t.links + <usize>t.active * 12;
-  for (let link = t.links; link < end; link += 12) {
-    const spring = load<u32>(link);
+  for (let i = 0; i < t.active; i++) {
+    const link = t.links + <usize>i * 12;
     const a = load<u32>(link, 4);
     const b = load<u32>(link, 8);
-    const x = get(positionX, b) - get(positionX, a);
-    const y = get(positionY, b) - get(positionY, a);
+    const x = get(c.positionX, b) - get(c.positionX, a);
+    const y = get(c.positionY, b) - get(c.positionY, a);
     const d = sqrt<real>(x * x + y * y);
     const nx: real = d > 0 ? x / d : 1;
     const ny: real = d > 0 ? y / d : 0;
-    const vx = get(velocityX, b) - get(velocityX, a);
-    const vy = get(velocityY, b) - get(velocityY, a);
-    const force = tension(
-      d - get(lengths, spring),
-      vx * nx + vy * ny,
-      get(stiffnesses, spring),
-      get(dampings, spring),
-      word(tensionOnly, spring),
-    );
+    const vx = get(c.velocityX, b) - get(c.velocityX, a);
+    const vy = get(c.velocityY, b) - get(c.velocityY, a);
+    const force = tension(t, load<u32>(link), d, vx * nx + vy * ny);
     put(fx, a, get(fx, a) + force * nx);
     put(fy, a, get(fy, a) + force * ny);
     put(fx, b, get(fx, b) - force * nx);
@@ -145,38 +131,21 @@ export function springForces2d(table: usize, fx: usize, fy: usize): void {
 export function springForces3d(table: usize, fx: usize, fy: usize, fz: usize): void {
   const t = changetype<SpringTable>(table);
   const c = columns();
-  const positionX = c.positionX;
-  const positionY = c.positionY;
-  const positionZ = c.positionZ;
-  const velocityX = c.velocityX;
-  const velocityY = c.velocityY;
-  const velocityZ = c.velocityZ;
-  const lengths = t.length;
-  const stiffnesses = t.stiffness;
-  const dampings = t.damping;
-  const tensionOnly = t.tensionOnly;
-  const end = t.links + <usize>t.active * 12;
-  for (let link = t.links; link < end; link += 12) {
-    const spring = load<u32>(link);
+  for (let i = 0; i < t.active; i++) {
+    const link = t.links + <usize>i * 12;
     const a = load<u32>(link, 4);
     const b = load<u32>(link, 8);
-    const x = get(positionX, b) - get(positionX, a);
-    const y = get(positionY, b) - get(positionY, a);
-    const z = get(positionZ, b) - get(positionZ, a);
+    const x = get(c.positionX, b) - get(c.positionX, a);
+    const y = get(c.positionY, b) - get(c.positionY, a);
+    const z = get(c.positionZ, b) - get(c.positionZ, a);
     const d = sqrt<real>(x * x + y * y + z * z);
     const nx: real = d > 0 ? x / d : 1;
     const ny: real = d > 0 ? y / d : 0;
     const nz: real = d > 0 ? z / d : 0;
-    const vx = get(velocityX, b) - get(velocityX, a);
-    const vy = get(velocityY, b) - get(velocityY, a);
-    const vz = get(velocityZ, b) - get(velocityZ, a);
-    const force = tension(
-      d - get(lengths, spring),
-      vx * nx + vy * ny + vz * nz,
-      get(stiffnesses, spring),
-      get(dampings, spring),
-      word(tensionOnly, spring),
-    );
+    const vx = get(c.velocityX, b) - get(c.velocityX, a);
+    const vy = get(c.velocityY, b) - get(c.velocityY, a);
+    const vz = get(c.velocityZ, b) - get(c.velocityZ, a);
+    const force = tension(t, load<u32>(link), d, vx * nx + vy * ny + vz * nz);
     put(fx, a, get(fx, a) + force * nx);
     put(fy, a, get(fy, a) + force * ny);
     put(fz, a, get(fz, a) + force * nz);

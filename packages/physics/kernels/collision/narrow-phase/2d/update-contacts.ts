@@ -3,7 +3,7 @@
 // Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
 // one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed, or touch with a
 // single point: the other corner of a box that tips over was at least that far away). Only its separations change, by the
-// same formula as within sub-steps. Source: Box2D 3.2 (physics_world.c), which has no rule for single points.
+// same formula as within sub-steps. Source, but for the rule of single points: Box2D 3.2 (physics_world.c).
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)
 import { columns } from '../../../memory/columns';
