@@ -1,7 +1,8 @@
-// Continuous collision: a body that moved further in a step than half its least extent may have passed through something
-// thin. It is put back to where it came near the first body without mass on its way, unless it only goes along the surface,
-// and a bullet to where it came near any other; the contact there is found in the next step. Where it started in contact it slides along the surface, if a core
-// of a quarter of its size would pass through.
+// Continuous collision: a body that moved further in a step than contacts see ahead may have sunk into something, or passed
+// through it. It is put back to where it came near the first body without mass on its way, unless it only goes along the
+// surface, and a bullet to where it came near any other; the contact there is found in the next step. Where a body that moved
+// by more than half its least extent started in contact, it slides along the surface, if a core of a quarter of its size would
+// pass through.
 //
 // Source: the bounds are those of Box2D 3 (solver.c); time of impact: narrow-phase/2d/time-of-impact.ts.
 import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
@@ -33,11 +34,13 @@ import { RigidTable } from './rigid-table';
 import { shapeAt } from './walls';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
 
-// A body is fast when it moves by more than this part of its least extent.
+// A body that moves by more than this part of its least extent may pass through something thin.
 const SAFE_PART: real = 0.5;
 const CORE_PART: real = 0.25;
 // How near a body is put: the slop of 5 mm, so that the contact is found.
 const TARGET: real = 0.005;
+// Contacts see 2 cm ahead: a body that moves by less than that and the slop sinks in by less than the slop.
+const SAFE_PATH: real = 0.02 + TARGET;
 
 const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
@@ -52,20 +55,17 @@ export function stopFastBodies(table: usize): void {
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const flags = flagsOf(t, row) & ~FAST;
-    const fast = (flags & DYNAMIC) != 0 && (flags & (COLLIDES | COMPOUND)) != 0 && isFast(t, row);
-    putFlags(t, row, fast ? flags | FAST : flags);
-    if (!fast) continue;
+    const mayStop = (flags & DYNAMIC) != 0 && (flags & (COLLIDES | COMPOUND)) != 0;
+    const path = mayStop ? pathOf(t, row) : <real>0;
+    const extent = SAFE_PART * poseOf(t, row).minExtent;
+    putFlags(t, row, path > extent ? flags | FAST : flags);
+    if (path <= min<real>(extent, SAFE_PATH)) continue;
     if (isBullet(t, row)) putWord(t.bullets, bullets++, row);
     else stopBody(t, row, -1);
   }
   if (bullets == 0) return;
   const reach = longestPath(t);
   for (let i = 0; i < bullets; i++) stopBody(t, word(t.bullets, i), reach);
-}
-
-// @ts-ignore: decorator
-@inline function isFast(t: RigidTable, row: i32): bool {
-  return pathOf(t, row) > SAFE_PART * poseOf(t, row).minExtent;
 }
 
 // A compound is a bullet when one of its parts is.
@@ -84,8 +84,12 @@ function stopBody(t: RigidTable, row: i32, reach: real): void {
   for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
     first = firstImpact(t, row, part, reach, first);
   }
+  if (first == 0) first = 1;
   store<f32>(t.stops + ((<usize>row) << 2), <f32>first);
-  if (first < 1) moveBack(t, row, first);
+  if (first < 1) {
+    putFlags(t, row, flagsOf(t, row) | FAST);
+    moveBack(t, row, first);
+  }
   if (t.sensorCount > 0) passSensors(t, row);
 }
 
@@ -102,11 +106,12 @@ function firstImpact(t: RigidTable, body: i32, row: i32, reach: real, first: rea
 }
 
 function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i32, shape: Shape, least: real): real {
+  const mayPass = (flagsOf(t, body) & FAST) != 0;
   let first = least;
   for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
     const other = nodeAt(nodes, i).row;
     if (!mayStop(t, body, row, other)) continue;
-    const fraction = impactWith(t, other, shape);
+    const fraction = impactWith(t, other, shape, mayPass);
     if (fraction == SLIDES) {
       slide(t, body, sweep.nx, sweep.ny);
       startSweepB(t, sweep, body, row);
@@ -128,10 +133,12 @@ function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i3
 // What `impactWith` returns for a shape that slides along another from the start of the step.
 const SLIDES: real = 2;
 
-// The fraction of the step at which the shape of the sweep meets another; 1 for never.
-function impactWith(t: RigidTable, other: i32, shape: Shape): real {
+// The fraction of the step at which the shape of the sweep meets another; 1 for never, and 0 where it starts in contact and may
+// not pass through: it does not fly then, and is left to its contacts, or it would halt at every seam of a floor.
+function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): real {
   startSweepA(t, sweep, other);
   sweep.target = TARGET;
+  if (!mayPass && !maySink(shape)) return 1;
   const wall = shapeAt(t, other, spareA);
   const stop = stopOf(t, other);
   if (stop < 1) sweepInPhases(sweep, wall, shape, stop);
@@ -140,6 +147,7 @@ function impactWith(t: RigidTable, other: i32, shape: Shape): real {
   if ((flagsOf(t, other) & ONE_WAY) != 0 && (sweep.fraction == 0 || !isUpperSide(t, other, sweep.nx, sweep.ny)))
     return 1;
   if (sweep.fraction > 0) return entersDeep(wall, shape) ? sweep.fraction : 1;
+  if (!mayPass) return 0;
   const nx = sweep.nx;
   const ny = sweep.ny;
   makeCircle(core, CORE_PART * shape.minExtent);
@@ -151,8 +159,25 @@ function impactWith(t: RigidTable, other: i32, shape: Shape): real {
   return SLIDES;
 }
 
-// Whether the second shape would enter the first by more than a quarter of its size, so that the contact of the next step
-// might push it out on the other side. A ball that rolls from one segment to the next does not.
+// Whether the second shape moves so far against the first that it may enter it by more than the slop. A body that a turning drum
+// carries does not.
+function maySink(shape: Shape): bool {
+  const c = sweep.ac * sweep.endAc + sweep.as * sweep.endAs;
+  const s = sweep.ac * sweep.endAs - sweep.as * sweep.endAc;
+  const x = sweep.bx - sweep.ax;
+  const y = sweep.by - sweep.ay;
+  const dx = sweep.endBx - sweep.endAx - (c * x - s * y);
+  const dy = sweep.endBy - sweep.endAy - (c * y + s * x);
+  const cb = sweep.bc * sweep.endBc + sweep.bs * sweep.endBs;
+  const sb = sweep.bc * sweep.endBs - sweep.bs * sweep.endBc;
+  const turn = abs<real>(sb * c - cb * s) * shape.extent;
+  const limit = SAFE_PATH - turn;
+  return limit < 0 || dx * dx + dy * dy > limit * limit;
+}
+
+// Whether the second shape would enter the first too far: by a quarter of its size, so that the contact of the next step might
+// push it out on the other side, or by the slop where it flies against a surface at more than 45 degrees, so that it would be
+// seen to sink in, and bounce from there. A ball that rolls from one segment to the next does neither.
 function entersDeep(wall: Shape, shape: Shape): bool {
   const fraction = sweep.fraction;
   const nx = sweep.nx;
@@ -161,10 +186,13 @@ function entersDeep(wall: Shape, shape: Shape): bool {
   const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
   const round = shape.minExtent == shape.extent;
   const turn = round ? <real>0 : abs<real>(sweep.endBs * sweep.bc - sweep.endBc * sweep.bs);
-  const depth = (<real>1 - fraction) * (shape.extent * turn - (dx * nx + dy * ny));
-  if (depth < CORE_PART * shape.minExtent) return false;
+  const into = -(dx * nx + dy * ny);
+  const depth = (<real>1 - fraction) * (shape.extent * turn + into);
+  const isSteep = into > 0 && <real>2 * into * into > dx * dx + dy * dy;
+  const limit = min<real>(isSteep ? TARGET : <real>Infinity, CORE_PART * shape.minExtent);
+  if (depth < limit) return false;
   if (!round) return true;
-  makeCircle(core, (<real>1 - CORE_PART) * shape.minExtent);
+  makeCircle(core, shape.minExtent - limit);
   timeOfImpact(sweep, wall, core);
   sweep.fraction = fraction;
   sweep.nx = nx;

@@ -72,39 +72,43 @@ export function solveContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   const inverseH = splat(<real>(1 / t.h));
   const speed = splat(<real>-t.contactSpeed);
-  for (let i = 0; i < t.blockCount; i++) solveNormals(block.blockOf(t, i), inverseH, speed, true);
+  const all = i32x4.splat(-1);
+  for (let i = 0; i < t.blockCount; i++) solveNormals(block.blockOf(t, i), inverseH, speed, true, all);
 }
 
 // Rigidly and without pushing, with friction.
 export function relaxContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   const inverseH = splat(<real>(1 / t.h));
-  for (let i = 0; i < t.blockCount; i++) relaxBlock(block.blockOf(t, i), inverseH);
+  const all = i32x4.splat(-1);
+  for (let i = 0; i < t.blockCount; i++) relaxBlock(block.blockOf(t, i), inverseH, all);
   for (let pass = 0; t.hitCount > 0 && pass < HIT_PASSES; pass++) {
     for (let i = 0; i < t.blockCount; i++) {
-      if (isHit(block.blockOf(t, i))) relaxBlock(block.blockOf(t, i), inverseH);
+      const hit = hitLanes(block.blockOf(t, i));
+      if (v128.any_true(hit)) relaxBlock(block.blockOf(t, i), inverseH, hit);
     }
   }
 }
 
-// Additional relaxing passes for blocks in which an impact hits a contact with two points: friction turns the body, which changes
+// Additional relaxing passes for contacts with two points that an impact hits: friction turns the body, which changes
 // the load of the points, which changes friction. Resting contacts converge over the next sub-steps; an impact has only this one.
 const HIT_PASSES: i32 = 3;
 
-function relaxBlock(at: usize, inverseH: v128): void {
-  solveNormals(at, inverseH, inverseH, false);
-  applyFriction(at);
+// Of those contacts of a block whose lane is set.
+function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
+  solveNormals(at, inverseH, inverseH, false, lanes);
+  applyFriction(at, lanes);
 }
 
-// Whether the second point of a contact of a block is hit.
+// The contacts of a block whose second point is hit. The others must not notice: which share a block depends on all bodies.
 // @ts-ignore: decorator
-@inline function isHit(at: usize): bool {
+@inline function hitLanes(at: usize): v128 {
   const speed = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
-  return v128.any_true(v128.lt<real>(speed, splat(-block.HIT_SPEED)));
+  return v128.lt<real>(speed, splat(-block.HIT_SPEED));
 }
 
 // @ts-ignore: decorator
-@inline function solveNormals(at: usize, inverseH: v128, slowest: v128, soft: bool): void {
+@inline function solveNormals(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128): void {
   const zero = splat(0);
   gather(at + block.A, MOVEMENT);
   const dxA = gathered.x;
@@ -154,6 +158,7 @@ function relaxBlock(at: usize, inverseH: v128): void {
       change = v128.bitselect(change, add(mul(v128.load(at, block.MASS_SCALE), speed), bias), apart);
     }
     change = mul(v128.load(p, block.NORMAL_MASS), change);
+    if (!soft) change = v128.and(change, lanes);
     if (soft) change = add(change, v128.andnot(mul(v128.load(at, block.IMPULSE_SCALE), old), apart));
     // Of a number and what is none, these take the number.
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
@@ -174,7 +179,7 @@ function relaxBlock(at: usize, inverseH: v128): void {
 }
 
 // @ts-ignore: decorator
-@inline function applyFriction(at: usize): void {
+@inline function applyFriction(at: usize, lanes: v128): void {
   gather(at + block.A, 0);
   let vxA = gathered.x;
   let vyA = gathered.y;
@@ -209,7 +214,7 @@ function relaxBlock(at: usize, inverseH: v128): void {
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     total = add(total, normal);
     const old = v128.load(p, block.TANGENT_IMPULSE);
-    const wanted = sub(old, mul(v128.load(p, block.TANGENT_MASS), speed));
+    const wanted = sub(old, v128.and(mul(v128.load(p, block.TANGENT_MASS), speed), lanes));
     const impulse = clamp(wanted, mul(v128.load(at, block.FRICTION), normal));
     v128.store(p, impulse, block.TANGENT_IMPULSE);
     const delta = sub(impulse, old);
@@ -223,7 +228,7 @@ function relaxBlock(at: usize, inverseH: v128): void {
     wB = add(wB, mul(iB, add(cross(bx, by, px, py), mul(roundingB, delta))));
   }
   const old = v128.load(at, block.ROLLING_IMPULSE);
-  const wanted = sub(old, mul(v128.load(at, block.ROLLING_MASS), sub(wB, wA)));
+  const wanted = sub(old, v128.and(mul(v128.load(at, block.ROLLING_MASS), sub(wB, wA)), lanes));
   const impulse = clamp(wanted, mul(v128.load(at, block.ROLLING), total));
   v128.store(at, impulse, block.ROLLING_IMPULSE);
   const delta = sub(impulse, old);
