@@ -18,6 +18,7 @@ import {
   COMPOUND,
   DYNAMIC,
   FAST,
+  JOINED,
   ONE_WAY,
   SENSOR,
   flagsOf,
@@ -39,7 +40,8 @@ const SAFE_PART: real = 0.5;
 const CORE_PART: real = 0.25;
 // How near a body is put: the slop of 5 mm, so that the contact is found.
 const TARGET: real = 0.005;
-// Contacts see 2 cm ahead: a body that moves by less than that and the slop sinks in by less than the slop.
+// Contacts see 2 cm ahead: a body that moves by less than that and the slop sinks in by less than the slop. One that joints hold
+// may sink in further: it would be put back without the others, and the joint torn apart by as much.
 const SAFE_PATH: real = 0.02 + TARGET;
 
 const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
@@ -59,7 +61,7 @@ export function stopFastBodies(table: usize): void {
     const path = mayStop ? pathOf(t, row) : <real>0;
     const extent = SAFE_PART * poseOf(t, row).minExtent;
     putFlags(t, row, path > extent ? flags | FAST : flags);
-    if (path <= min<real>(extent, SAFE_PATH)) continue;
+    if (path <= ((flags & JOINED) != 0 ? extent : min<real>(extent, SAFE_PATH))) continue;
     if (isBullet(t, row)) putWord(t.bullets, bullets++, row);
     else stopBody(t, row, -1);
   }
