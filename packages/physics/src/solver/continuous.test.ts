@@ -1,4 +1,4 @@
-// Fast bodies do not pass through bodies without mass, however thin those are.
+// Fast bodies do not pass through bodies without mass, however thin those are, and do not sink in where they land.
 import {
   box,
   createJoint,

@@ -11,6 +11,7 @@ import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
+import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/update-contacts';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import {
@@ -40,9 +41,9 @@ const SAFE_PART: real = 0.5;
 const CORE_PART: real = 0.25;
 // How near a body is put: the slop of 5 mm, so that the contact is found.
 const TARGET: real = 0.005;
-// Contacts see 2 cm ahead: a body that moves by less than that and the slop sinks in by less than the slop. One that joints hold
+// A body that moves by less than contacts see ahead and the slop sinks in by less than the slop. One that joints hold
 // may sink in further: it would be put back without the others, and the joint torn apart by as much.
-const SAFE_PATH: real = 0.02 + TARGET;
+const SAFE_PATH: real = SPECULATIVE_DISTANCE + TARGET;
 
 const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
@@ -86,6 +87,7 @@ function stopBody(t: RigidTable, row: i32, reach: real): void {
   for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
     first = firstImpact(t, row, part, reach, first);
   }
+  // A shape of it touches something already: it does not fly.
   if (first == 0) first = 1;
   store<f32>(t.stops + ((<usize>row) << 2), <f32>first);
   if (first < 1) {

@@ -158,8 +158,8 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
       change = v128.bitselect(change, add(mul(v128.load(at, block.MASS_SCALE), speed), bias), apart);
     }
     change = mul(v128.load(p, block.NORMAL_MASS), change);
-    if (!soft) change = v128.and(change, lanes);
     if (soft) change = add(change, v128.andnot(mul(v128.load(at, block.IMPULSE_SCALE), old), apart));
+    else change = v128.and(change, lanes);
     // Of a number and what is none, these take the number.
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);

@@ -58,7 +58,7 @@ import { coverSeams } from './seams';
 import { updateSensor } from './sensor-overlap';
 
 // Points are reported up to this distance, m: four times the slop of 5 mm.
-const SPECULATIVE_DISTANCE: real = 0.02;
+export const SPECULATIVE_DISTANCE: real = 0.02;
 const RECYCLE_DISTANCE: real = 0.05;
 const RECYCLE_COSINE: real = 0.98;
 
