@@ -35,9 +35,20 @@ export function pairTester(precision: Precision) {
     writeShape(world, second, b);
     const [ax, ay, angleA] = poseA;
     const [bx, by, angleB] = poseB;
-    reals.set([ax, ay, Math.cos(angleA), Math.sin(angleA), bx, by, Math.cos(angleB), Math.sin(angleB), speculative]);
+    reals.set([
+      ax,
+      ay,
+      Math.cos(angleA),
+      Math.sin(angleA),
+      bx,
+      by,
+      Math.cos(angleB),
+      Math.sin(angleB),
+      speculative,
+      speculative,
+    ]);
     rigidKernels(world).collidePair(manifold, first, second);
-    const [nx, ny, x0, y0, separation0, x1, y1, separation1] = reals.slice(9);
+    const [nx, ny, x0, y0, separation0, x1, y1, separation1] = reals.slice(10);
     const all = [
       { x: x0, y: y0, separation: separation0, id: words[1] },
       { x: x1, y: y1, separation: separation1, id: words[2] },

@@ -51,7 +51,7 @@ export function integratePositions(table: usize): void {
 // Cosine and sine of the angle turned within a step. Below 1/4 rad, 900 rpm at 60 steps a second, Taylor's series are exact
 // to 2e-10.
 // @ts-ignore: decorator
-@inline function setRotation(angle: real): void {
+@inline export function setRotation(angle: real): void {
   const a = <f64>angle;
   if (abs<f64>(a) > 0.25) return abs<f64>(a) < 1e6 ? computeSineCosine(a) : computeSineCosine(0);
   const z = a * a;

@@ -4,7 +4,17 @@
 //
 // Source: the margin is that of Box2D 3 (constants.h).
 import { PLANE, SHAPE_BYTES, Shape, vertexX, vertexY } from '../../shapes/2d/shape';
-import { ASLEEP, COLLIDES, ENLARGED, flagsOf, poseOf, putFlags, putWord } from '../../../solver/2d/body';
+import {
+  ASLEEP,
+  COLLIDES,
+  ENLARGED,
+  JOINED,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  stateOf,
+} from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 
@@ -42,6 +52,10 @@ export function updateBoxes(t: RigidTable): void {
     if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
     const pose = poseOf(t, row);
     measureBox(shapeAt(t, row, spare), pose.x, pose.y, pose.c, pose.s);
+    if ((flags & JOINED) != 0) {
+      putFlags(t, row, flags & ~JOINED);
+      addMotion(t, row);
+    }
     const box = rowBox(t, row);
     if (box.minX <= tight.minX && box.minY <= tight.minY && tight.maxX <= box.maxX && tight.maxY <= box.maxY) continue;
     const margin = min<real>(MARGIN, MARGIN_FRACTION * pose.extent);
@@ -49,10 +63,21 @@ export function updateBoxes(t: RigidTable): void {
     box.minY = tight.minY - margin;
     box.maxX = tight.maxX + margin;
     box.maxY = tight.maxY + margin;
-    putFlags(t, row, flags | ENLARGED);
+    putFlags(t, row, flagsOf(t, row) | ENLARGED);
     putWord(t.enlarged, count++, row);
   }
   t.enlargedCount = count;
+}
+
+// The box of what joints hold reaches as far as it may move in this step: contacts see it coming (far-points.ts).
+function addMotion(t: RigidTable, row: i32): void {
+  const state = stateOf(t, row);
+  const dt = <real>t.dt;
+  const turn = abs<real>(state.w) * poseOf(t, row).extent;
+  tight.minX += dt * min<real>(0, state.vx - turn);
+  tight.minY += dt * min<real>(0, state.vy - turn);
+  tight.maxX += dt * max<real>(0, state.vx + turn);
+  tight.maxY += dt * max<real>(0, state.vy + turn);
 }
 
 // Writes the box about a shape at a pose to `tight`.

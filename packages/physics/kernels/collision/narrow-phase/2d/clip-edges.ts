@@ -7,9 +7,8 @@ import { Distance, closestPoints } from './distance';
 import { Manifold, addRoundedPoint, setNormal } from './manifold';
 import { RelativePose, pointX, pointY } from './relative-pose';
 
-// A clipped point counts as the nearest of the shapes when it is no further than this fraction of the speculative
-// distance beyond it: 0.5 mm where that is four slops of 5 mm.
-const TOLERANCE: real = 0.025;
+// A clipped point counts as the nearest of the shapes when it is no further than this beyond it, m: a tenth of the slop.
+const TOLERANCE: real = 0.0005;
 
 const nearest = changetype<Distance>(memory.data(offsetof<Distance>() + 8, 8));
 
@@ -51,11 +50,10 @@ export function clipEdges(
   const lowDistance = lowCut > lowAlong ? lowAway + (lowCut - lowAlong) * slope : lowAway;
   const highDistance = highCut < highAlong ? highAway + (highCut - highAlong) * slope : highAway;
   const overlaps = lowCut <= highCut;
-  const tolerance = TOLERANCE * m.speculative;
   if (isFaceOnly && !overlaps) return;
   const least = overlaps ? min<real>(lowDistance, highDistance) : <real>Infinity;
-  const mayBeNearer = !isFaceOnly && least > separation + tolerance;
-  if (mayBeNearer && meetAtNearestPoints(m, reference, incident, pose, isFlipped, least - tolerance)) return;
+  const mayBeNearer = !isFaceOnly && least > separation + TOLERANCE;
+  if (mayBeNearer && meetAtNearestPoints(m, reference, incident, pose, isFlipped, least - TOLERANCE)) return;
   setNormal(m, nx, ny);
   if (!overlaps) {
     // The outlines overlap beyond an end of the reference edge: the deepest vertex stands for all.

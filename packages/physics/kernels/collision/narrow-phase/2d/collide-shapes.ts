@@ -3,7 +3,7 @@ import { CIRCLE, PLANE, POLYGON, Shape } from '../../shapes/2d/shape';
 import { collideCapsuleCircle } from './capsule-circle';
 import { collideChainSegment } from './chain-segment';
 import { collideCircles } from './circle-circle';
-import { Manifold, swapShapes, toWorld } from './manifold';
+import { Manifold, dropFar, swapShapes, toWorld } from './manifold';
 import { collidePlane } from './plane-outline';
 import { collidePolygonCircle } from './polygon-circle';
 import { collidePolygons } from './polygon-polygon';
@@ -26,6 +26,7 @@ export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
   } else {
     collidePolygons(m, a, b);
   }
+  dropFar(m);
 }
 
 // Segments of chains do not meet each other, nor half-planes.

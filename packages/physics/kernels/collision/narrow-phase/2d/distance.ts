@@ -56,11 +56,10 @@ export function closestPoints(result: Distance, a: Shape, b: Shape, pose: Relati
   for (let turn = 0; turn < MAX_TURNS; turn++) {
     if (count == 3) keepNearestOfTriangle();
     else if (count == 2) keepNearestOfEdge();
+    findNearest();
     if (count == 3) break;
-    const x = nearestX();
-    const y = nearestY();
-    if (x * x + y * y < TOUCHING) break;
-    if (!addCorner(a, b, pose, -x, -y)) break;
+    if (nearX * nearX + nearY * nearY < TOUCHING) break;
+    if (!addCorner(a, b, pose, -nearX, -nearY)) break;
   }
   report(result);
 }
@@ -100,16 +99,22 @@ function furthest(shape: Shape, x: real, y: real): i32 {
   return best;
 }
 
-function nearestX(): real {
-  let sum: real = 0;
-  for (let k = 0; k < count; k++) sum += corner(k).weight * corner(k).x;
-  return sum;
-}
+// The point of the simplex that is nearest to zero, and zero itself where the simplex has it inside.
+let nearX: real = 0;
+let nearY: real = 0;
 
-function nearestY(): real {
-  let sum: real = 0;
-  for (let k = 0; k < count; k++) sum += corner(k).weight * corner(k).y;
-  return sum;
+// On an edge it is that of the line, across it: the sum of both ends by their weights lacks the digits where the edge is long.
+function findNearest(): void {
+  const p = corner(0);
+  nearX = count == 1 ? p.x : <real>0;
+  nearY = count == 1 ? p.y : <real>0;
+  if (count != 2) return;
+  const q = corner(1);
+  const ex = q.x - p.x;
+  const ey = q.y - p.y;
+  const scale = cross(p, q) / (ex * ex + ey * ey);
+  nearX = scale * ey;
+  nearY = -(scale * ex);
 }
 
 // @ts-ignore: decorator
@@ -177,8 +182,8 @@ function keepNearestOfTriangle(): void {
 }
 
 function report(result: Distance): void {
-  const x = nearestX();
-  const y = nearestY();
+  const x = nearX;
+  const y = nearY;
   const distance = count == 3 ? <real>0 : sqrt<real>(x * x + y * y);
   const isApart = distance * distance >= TOUCHING;
   result.distance = isApart ? distance : <real>0;

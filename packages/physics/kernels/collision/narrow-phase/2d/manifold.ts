@@ -18,8 +18,9 @@ export class Manifold {
   by: real;
   bc: real;
   bs: real;
-  // Points further apart than this are left out, m.
+  // Shapes further apart than this have no contact, and of those that have one points further apart than `reach` are left out, m.
   speculative: real;
+  reach: real;
   // Unit normal from a to b.
   nx: real;
   ny: real;
@@ -42,7 +43,7 @@ export class Manifold {
 // Adds a point unless it is further away than is asked for.
 // @ts-ignore: decorator
 @inline export function addPoint(m: Manifold, x: real, y: real, separation: real, id: u32): void {
-  if (separation > m.speculative) return;
+  if (separation > m.reach) return;
   if (m.count == 0) {
     m.x0 = x;
     m.y0 = y;
@@ -55,6 +56,24 @@ export class Manifold {
     m.id1 = id;
   }
   m.count++;
+}
+
+// Leaves out all points where none is near enough for a contact.
+// @ts-ignore: decorator
+@inline export function dropFar(m: Manifold): void {
+  const first = m.count > 0 ? m.separation0 : <real>Infinity;
+  const second = m.count > 1 ? m.separation1 : <real>Infinity;
+  if (min<real>(first, second) > m.speculative) m.count = 0;
+}
+
+// Leaves out one of two points.
+export function dropPoint(m: Manifold, i: i32): void {
+  m.count = 1;
+  if (i == 1) return;
+  m.x0 = m.x1;
+  m.y0 = m.y1;
+  m.separation0 = m.separation1;
+  m.id0 = m.id1;
 }
 
 // Adds the point between a core point of the first shape and one of the second: each is `radius` inside its surface, and

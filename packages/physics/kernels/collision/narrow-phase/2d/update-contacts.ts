@@ -37,6 +37,7 @@ import { areJoined, filtersMeet, kindsMeet, layersMeet } from '../../broad-phase
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { freeContact, sensorFlags } from './contact-list';
+import { SPECULATIVE_DISTANCE, dropFarPoints, reachOf } from './far-points';
 import { Manifold } from './manifold';
 import { mixMaterials } from './mix-materials';
 import { passesThrough } from './one-way';
@@ -57,8 +58,6 @@ import {
 import { coverSeams } from './seams';
 import { updateSensor } from './sensor-overlap';
 
-// Points are reported up to this distance, m: four times the slop of 5 mm.
-export const SPECULATIVE_DISTANCE: real = 0.02;
 const RECYCLE_DISTANCE: real = 0.05;
 const RECYCLE_COSINE: real = 0.98;
 
@@ -236,11 +235,13 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   m.bs = b.s;
   const near = COINCIDENT * min<real>(a.minExtent, b.minExtent);
   if (m.bx * m.bx + m.by * m.by < near * near) spread(m, contact.a, contact.b, near);
-  m.speculative = SPECULATIVE_DISTANCE;
+  m.speculative = reachOf(t, contact);
+  m.reach = Infinity;
   const c = columns();
   contact.shapeA = <u32>word(c.shape, contact.a);
   contact.shapeB = <u32>word(c.shape, contact.b);
   collideShapes(m, shapeAt(t, contact.a, spareA), shapeAt(t, contact.b, spareB));
+  dropFarPoints(t, contact, m);
   contact.ac = a.c;
   contact.as = a.s;
   contact.bc = b.c;

@@ -1,0 +1,192 @@
+// The first thing without mass, or for a bullet the first of all, that a body meets on its way through a step, and would enter.
+// Where a body that moved by more than half its least extent started in contact, it slides along the surface, if a core of a
+// quarter of its size would pass through.
+//
+// Time of impact: narrow-phase/2d/time-of-impact.ts.
+import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
+import { makeCircle, shapeOf } from '../../collision/shapes/2d/shape-pool';
+import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
+import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
+import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
+import { collideShapes } from '../../collision/narrow-phase/2d/collide-shapes';
+import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/far-points';
+import { Manifold } from '../../collision/narrow-phase/2d/manifold';
+import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
+import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
+import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
+import { COLLIDES, FAST, JOINED, ONE_WAY, SENSOR, flagsOf, stateOf, word } from './body';
+import { bodyOf } from './parts';
+import { RigidTable } from './rigid-table';
+import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
+import { shapeAt } from './walls';
+
+// The core of a body that must not pass through anything, as part of its least extent.
+const CORE_PART: real = 0.25;
+// How near a body is put: the slop of 5 mm, so that the contact is found.
+export const TARGET: real = 0.005;
+// A body that moves by less than contacts see ahead and the slop sinks in by less than the slop.
+export const SAFE_PATH: real = SPECULATIVE_DISTANCE + TARGET;
+
+@unmanaged
+class Impact {
+  // Whether the body touches something at the start of the step.
+  touches: bool;
+  // The normal, from what the body meets to the body.
+  nx: real;
+  ny: real;
+}
+
+// The last that `findImpact` found.
+export const impact = changetype<Impact>(memory.data(offsetof<Impact>() + 8, 8));
+
+const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
+const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16));
+const core = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+const path = changetype<FatBox>(memory.data(offsetof<FatBox>() + 8, 8));
+
+// Returns the fraction of the step at which a body meets something; 1 for never. With a `reach` of 0 and more other bodies that
+// move count, too, which may have left their boxes by so much.
+export function findImpact(t: RigidTable, row: i32, reach: real): real {
+  impact.touches = false;
+  const first = firstOfShapes(t, row, reach);
+  // What was met before it was known that the body touches something may not count then.
+  return impact.touches && first < 1 ? firstOfShapes(t, row, reach) : first;
+}
+
+function firstOfShapes(t: RigidTable, row: i32, reach: real): real {
+  let first: real = 1;
+  if ((flagsOf(t, row) & COLLIDES) != 0) first = firstImpact(t, row, row, reach, first);
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
+    first = firstImpact(t, row, part, reach, first);
+  }
+  return first;
+}
+
+// The fraction of the step at which a shape of a body meets something, at most `first`.
+function firstImpact(t: RigidTable, body: i32, row: i32, reach: real, first: real): real {
+  if ((flagsOf(t, row) & SENSOR) != 0) return first;
+  const shape = shapeOf(row, spareB);
+  startSweepB(t, sweep, body, row);
+  measurePath(path, sweep, shape, 0);
+  const still = firstInTree(t, t.staticNodes, t.staticNodeCount, body, row, shape, first);
+  if (reach < 0) return still;
+  measurePath(path, sweep, shape, reach);
+  return firstInTree(t, t.movingNodes, t.movingNodeCount, body, row, shape, still);
+}
+
+function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i32, shape: Shape, least: real): real {
+  const mayPass = (flagsOf(t, body) & FAST) != 0;
+  // What joints hold is stopped by contacts where it does not pass through: put back alone it would tear the joints.
+  const isFree = (flagsOf(t, body) & JOINED) == 0;
+  let first = least;
+  for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
+    const other = nodeAt(nodes, i).row;
+    if (!mayStop(t, body, row, other)) continue;
+    const fraction = impactWith(t, other, shape, mayPass, isFree);
+    if (fraction == SLIDES) {
+      slide(t, body, sweep.nx, sweep.ny);
+      startSweepB(t, sweep, body, row);
+    } else if (fraction < first) {
+      first = fraction;
+      impact.nx = sweep.nx;
+      impact.ny = sweep.ny;
+    }
+  }
+  return first;
+}
+
+// @ts-ignore: decorator
+@inline function mayStop(t: RigidTable, body: i32, row: i32, other: i32): bool {
+  if ((flagsOf(t, other) & SENSOR) != 0 || !filtersMeet(t, row, other)) return false;
+  const otherBody = bodyOf(t, other);
+  if (otherBody == body || areJoined(t, body, otherBody)) return false;
+  return t.asksUser == 0 || !isIgnored(t, row, other);
+}
+
+// What `impactWith` returns for a shape that slides along another from the start of the step.
+const SLIDES: real = 2;
+
+// The fraction of the step at which the shape of the sweep meets another and would enter it; 1 for never, and where it starts in
+// contact, unless it may pass through.
+function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool, isFree: bool): real {
+  startSweepA(t, sweep, other);
+  sweep.target = TARGET;
+  if (!mayPass && !maySink(shape)) return 1;
+  const wall = shapeAt(t, other, spareA);
+  const stop = stopOf(t, other);
+  if (stop < 1) sweepInPhases(sweep, wall, shape, stop);
+  else timeOfImpact(sweep, wall, shape);
+  if (sweep.isHit == 0) return 1;
+  if ((flagsOf(t, other) & ONE_WAY) != 0 && (sweep.fraction == 0 || !isUpperSide(t, other, sweep.nx, sweep.ny)))
+    return 1;
+  const starts = sweep.fraction == 0;
+  if (starts) impact.touches = true;
+  else if (mayPass && isFree && !impact.touches && isSteep()) return sweep.fraction;
+  else if (endsInside(wall, shape)) return sweep.fraction;
+  if (!mayPass) return 1;
+  const fraction = sweep.fraction;
+  const nx = sweep.nx;
+  const ny = sweep.ny;
+  const part = CORE_PART * shape.minExtent;
+  makeCircle(core, starts ? part : max<real>(part, shape.minExtent - SAFE_PATH));
+  timeOfImpact(sweep, wall, core);
+  if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
+  if (starts && nx == 0 && ny == 0) return sweep.fraction;
+  sweep.nx = nx;
+  sweep.ny = ny;
+  return starts ? SLIDES : fraction;
+}
+
+// Whether the second shape moves so far against the first that it may enter it by more than the slop. A body that a turning drum
+// carries does not.
+function maySink(shape: Shape): bool {
+  const c = sweep.ac * sweep.endAc + sweep.as * sweep.endAs;
+  const s = sweep.ac * sweep.endAs - sweep.as * sweep.endAc;
+  const x = sweep.bx - sweep.ax;
+  const y = sweep.by - sweep.ay;
+  const dx = sweep.endBx - sweep.endAx - (c * x - s * y);
+  const dy = sweep.endBy - sweep.endAy - (c * y + s * x);
+  const cb = sweep.bc * sweep.endBc + sweep.bs * sweep.endBs;
+  const sb = sweep.bc * sweep.endBs - sweep.bs * sweep.endBc;
+  const turn = abs<real>(sb * c - cb * s) * shape.extent;
+  const limit = SAFE_PATH - turn;
+  return limit < 0 || dx * dx + dy * dy > limit * limit;
+}
+
+// Whether the second shape ends in the first by more than the slop, so that it would be seen to sink in, and bounce from there. A
+// body that slides or rolls from one tile or segment of a floor to the next does not, although it meets the end of the next
+// one. Where a floor turns up, what is pressed on it may enter further: to halt it would only press others into it.
+function endsInside(wall: Shape, shape: Shape): bool {
+  if (impact.touches && !isSteep()) return false;
+  manifold.ax = 0;
+  manifold.ay = 0;
+  manifold.ac = sweep.endAc;
+  manifold.as = sweep.endAs;
+  manifold.bx = sweep.endBx - sweep.endAx;
+  manifold.by = sweep.endBy - sweep.endAy;
+  manifold.bc = sweep.endBc;
+  manifold.bs = sweep.endBs;
+  manifold.speculative = -TARGET;
+  manifold.reach = 0;
+  collideShapes(manifold, wall, shape);
+  return manifold.count > 0;
+}
+
+// Whether the second shape moves against the first at more than 45 degrees.
+// @ts-ignore: decorator
+@inline function isSteep(): bool {
+  const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
+  const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
+  const into = dx * sweep.nx + dy * sweep.ny;
+  return into < 0 && <real>2 * into * into > dx * dx + dy * dy;
+}
+
+// Takes the part of the movement that goes into a surface with this normal.
+function slide(t: RigidTable, row: i32, nx: real, ny: real): void {
+  const state = stateOf(t, row);
+  const depth = min<real>(0, state.dx * nx + state.dy * ny);
+  state.dx -= depth * nx;
+  state.dy -= depth * ny;
+}
