@@ -6,7 +6,7 @@
 // would burst.
 // Sources: Tournier et al., Stable Constrained Dynamics (SIGGRAPH 2015); Andrews et al., Geometric Stiffness for Real-time
 // Constrained Multibody Dynamics (Eurographics 2017).
-import { JOINED, flagsOf, poseOf, putFlags, stateOf, word } from '../../solver/2d/body';
+import { poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { openAxes } from '../../solver/2d/motion-locks';
 import { articulated } from './articulated-body';
@@ -44,7 +44,6 @@ export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();
   body.stiffness = 0;
   body.joints = 0;
   body.halfStep = 0.5 * rigid.h;
-  if (row != 0) putFlags(rigid, row, flagsOf(rigid, row) | JOINED);
 }
 
 // @ts-ignore: decorator

@@ -70,8 +70,6 @@ export const WALL: u32 = 131072;
 export const COMBINES: u32 = 262144;
 // A joint drives it in this step: with a motor or a spring, or as a pulley or a gear.
 export const DRIVEN: u32 = 524288;
-// A joint holds it in this step, or, until its box is up to date, did so in the last.
-export const JOINED: u32 = 1048576;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

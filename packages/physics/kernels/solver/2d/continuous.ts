@@ -5,7 +5,7 @@
 //
 // Source: the bounds are those of Box2D 3 (solver.c).
 import { sineCosine } from '../../math/elementary';
-import { COLLIDES, COMPOUND, DYNAMIC, FAST, JOINED, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
+import { COLLIDES, COMPOUND, DYNAMIC, FAST, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
 import { SAFE_PATH, TARGET, findImpact, impact } from './first-impact';
 import { setRotation } from './integrate-bodies';
 import { passSensors } from './pass-sensors';
@@ -15,8 +15,7 @@ import { RigidTable } from './rigid-table';
 // A body that moves by more than this part of its least extent may pass through something thin.
 const SAFE_PART: real = 0.5;
 
-// Bullets come after all others, whose motion is known then. What joints hold is stopped by contacts together with the joints
-// (far-points.ts), and here only where it may pass through something.
+// Bullets come after all others, whose motion is known then.
 export function stopFastBodies(table: usize): void {
   const t = changetype<RigidTable>(table);
   let bullets = 0;
@@ -27,7 +26,7 @@ export function stopFastBodies(table: usize): void {
     const path = mayStop ? pathOf(t, row) : <real>0;
     const extent = SAFE_PART * poseOf(t, row).minExtent;
     putFlags(t, row, path > extent ? flags | FAST : flags);
-    if (path <= ((flags & JOINED) != 0 ? extent : min<real>(extent, SAFE_PATH))) continue;
+    if (path <= min<real>(extent, SAFE_PATH)) continue;
     if (isBullet(t, row)) putWord(t.bullets, bullets++, row);
     else stopBody(t, row, -1);
   }

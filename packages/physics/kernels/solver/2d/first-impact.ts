@@ -14,7 +14,7 @@ import { Manifold } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, FAST, JOINED, ONE_WAY, SENSOR, flagsOf, stateOf, word } from './body';
+import { COLLIDES, FAST, ONE_WAY, SENSOR, flagsOf, stateOf, word } from './body';
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
@@ -78,13 +78,11 @@ function firstImpact(t: RigidTable, body: i32, row: i32, reach: real, first: rea
 
 function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i32, shape: Shape, least: real): real {
   const mayPass = (flagsOf(t, body) & FAST) != 0;
-  // What joints hold is stopped by contacts where it does not pass through: put back alone it would tear the joints.
-  const isFree = (flagsOf(t, body) & JOINED) == 0;
   let first = least;
   for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
     const other = nodeAt(nodes, i).row;
     if (!mayStop(t, body, row, other)) continue;
-    const fraction = impactWith(t, other, shape, mayPass, isFree);
+    const fraction = impactWith(t, other, shape, mayPass);
     if (fraction == SLIDES) {
       slide(t, body, sweep.nx, sweep.ny);
       startSweepB(t, sweep, body, row);
@@ -110,7 +108,7 @@ const SLIDES: real = 2;
 
 // The fraction of the step at which the shape of the sweep meets another and would enter it; 1 for never, and where it starts in
 // contact, unless it may pass through.
-function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool, isFree: bool): real {
+function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): real {
   startSweepA(t, sweep, other);
   sweep.target = TARGET;
   if (!mayPass && !maySink(shape)) return 1;
@@ -123,7 +121,6 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool, isFr
     return 1;
   const starts = sweep.fraction == 0;
   if (starts) impact.touches = true;
-  else if (mayPass && isFree && !impact.touches && isSteep()) return sweep.fraction;
   else if (endsInside(wall, shape)) return sweep.fraction;
   if (!mayPass) return 1;
   const fraction = sweep.fraction;

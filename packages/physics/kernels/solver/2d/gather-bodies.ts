@@ -9,7 +9,6 @@ import {
   COLLIDES,
   DYNAMIC,
   FAST,
-  JOINED,
   KINEMATIC,
   LOCKED,
   MOVES,
@@ -37,7 +36,7 @@ import { hasNewCollider, recordCollider, sleeperOf } from './sleeper';
 import { isValidWall, placeWall } from './walls';
 
 // What a body keeps from step to step.
-const KEPT: u32 = ASLEEP | FAST | JOINED;
+const KEPT: u32 = ASLEEP | FAST;
 
 // Where the circle of a body without a shape of the pool is written.
 const spare = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));

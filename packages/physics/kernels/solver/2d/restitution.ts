@@ -1,12 +1,15 @@
 // Bouncing, after the last sub-step: a point that was hit faster than the threshold gets the speed e u away from the surface,
-// where u is the speed along the normal before the step. Source: Catto, Solver2D (2024).
+// where u is the speed along the normal at the impact: u² = u₀² - 2 a s, from the speed u₀ and the separation s before the step,
+// with the acceleration a by forces. Source: Catto, Solver2D (2024), where it is u₀.
 //
 // Where both points of a contact were hit, their impulses P solve K (P - P_old) = -(v + e u) together. One after the other
 // would be unequal although the points are alike: a box that falls flat would bounce askew, and lose energy.
+import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get, put } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
-import { BodyState, word } from './body';
+import { BodyState, MOVES, flagsOf, word } from './body';
 import * as block from './contact-block';
+import { inverseMassX, inverseMassY } from './motion-locks';
 import { RigidTable } from './rigid-table';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
@@ -26,32 +29,59 @@ export function applyRestitution(table: usize): void {
 function bounce(t: RigidTable, at: usize, l: i32, restitution: real): void {
   const first = at + block.POINTS;
   const second = first + block.POINT;
-  if (isHit(t, first, l) && isHit(t, second, l) && bounceTogether(at, first, second, l, restitution)) return;
-  for (let p = first; p <= second; p += block.POINT) {
-    if (isHit(t, p, l)) bounceAlone(at, p, l, restitution);
-  }
+  const isFirstHit = isHit(t, first, l);
+  const isSecondHit = isHit(t, second, l);
+  if (!isFirstHit && !isSecondHit) return;
+  const contact = contactAt(t, word(at + block.SLOT, l));
+  const away = accelerationOf(t, contact);
+  const firstSpeed = -restitution * impactSpeed(contact, 0, away);
+  const secondSpeed = contact.count > 1 ? -restitution * impactSpeed(contact, 1, away) : <real>0;
+  if (isFirstHit && isSecondHit && bounceTogether(at, first, second, l, firstSpeed, secondSpeed)) return;
+  if (isFirstHit) bounceAlone(at, first, l, firstSpeed);
+  if (isSecondHit) bounceAlone(at, second, l, secondSpeed);
 }
 
 function isHit(t: RigidTable, p: usize, l: i32): bool {
   return get(p + block.NORMAL_SPEED, l) <= -(<real>t.restitutionThreshold) && get(p + block.TOTAL_IMPULSE, l) != 0;
 }
 
-function bounceAlone(at: usize, p: usize, l: i32, restitution: real): void {
+// By how much forces accelerate the two bodies from each other along the normal, m/s². What touches other bodies, too, is borne by
+// them.
+function accelerationOf(t: RigidTable, contact: RigidContact): real {
+  return accelerationAlong(t, contact.bodyB, contact) - accelerationAlong(t, contact.bodyA, contact);
+}
+
+function accelerationAlong(t: RigidTable, row: i32, contact: RigidContact): real {
+  if ((flagsOf(t, row) & MOVES) == 0 || popcnt<u32>(word(t.usedColors, row)) > 1) return 0;
+  const x = inverseMassX(t, row) * get(t.forceX, row);
+  const y = inverseMassY(t, row) * get(t.forceY, row);
+  return contact.nx * x + contact.ny * y;
+}
+
+// The speed along the normal with which the surfaces meet at a point, below 0, m/s.
+function impactSpeed(contact: RigidContact, i: i32, acceleration: real): real {
+  const point = pointOf(contact, i);
+  const speed = point.normalSpeed;
+  const gained = <real>-2 * acceleration * max<real>(0, point.separation);
+  return -sqrt<real>(max<real>(0, speed * speed + gained));
+}
+
+function bounceAlone(at: usize, p: usize, l: i32, wanted: real): void {
   const mass = get(p + block.NORMAL_MASS, l);
-  setImpulse(at, p, l, get(p + block.NORMAL_IMPULSE, l) - mass * excessSpeed(at, p, l, restitution));
+  setImpulse(at, p, l, get(p + block.NORMAL_IMPULSE, l) + mass * missingSpeed(at, p, l, wanted));
 }
 
 // Returns false, and changes nothing, where one of the points would have to pull.
-function bounceTogether(at: usize, p: usize, q: usize, l: i32, restitution: real): bool {
+function bounceTogether(at: usize, p: usize, q: usize, l: i32, wantedP: real, wantedQ: real): bool {
   const pp = <real>1 / get(p + block.NORMAL_MASS, l);
   const qq = <real>1 / get(q + block.NORMAL_MASS, l);
   const pq = coupling(at, p, q, l);
   const determinant = pp * qq - pq * pq;
   if (!(determinant > LEAST_DETERMINANT * pp * qq)) return false;
-  const speedP = excessSpeed(at, p, l, restitution);
-  const speedQ = excessSpeed(at, q, l, restitution);
-  const impulseP = get(p + block.NORMAL_IMPULSE, l) - (qq * speedP - pq * speedQ) / determinant;
-  const impulseQ = get(q + block.NORMAL_IMPULSE, l) - (pp * speedQ - pq * speedP) / determinant;
+  const speedP = missingSpeed(at, p, l, wantedP);
+  const speedQ = missingSpeed(at, q, l, wantedQ);
+  const impulseP = get(p + block.NORMAL_IMPULSE, l) + (qq * speedP - pq * speedQ) / determinant;
+  const impulseQ = get(q + block.NORMAL_IMPULSE, l) + (pp * speedQ - pq * speedP) / determinant;
   if (!(impulseP >= 0 && impulseQ >= 0)) return false;
   setImpulse(at, p, l, impulseP);
   setImpulse(at, q, l, impulseQ);
@@ -77,13 +107,13 @@ function coupling(at: usize, p: usize, q: usize, l: i32): real {
   return x * nx * nx + y * ny * ny + get(at + block.INERTIA_A, l) * leversA + get(at + block.INERTIA_B, l) * leversB;
 }
 
-// The speed of a point along the normal less the one with which it should bounce, m/s.
-function excessSpeed(at: usize, p: usize, l: i32, restitution: real): real {
+// What a point lacks to the speed with which it should bounce, along the normal, m/s.
+function missingSpeed(at: usize, p: usize, l: i32, wanted: real): real {
   const a = changetype<BodyState>(<usize>word(at + block.A, l));
   const b = changetype<BodyState>(<usize>word(at + block.B, l));
   const vx = b.vx - b.w * get(p + block.BY, l) - (a.vx - a.w * get(p + block.AY, l));
   const vy = b.vy + b.w * get(p + block.BX, l) - (a.vy + a.w * get(p + block.AX, l));
-  return get(at + block.NX, l) * vx + get(at + block.NY, l) * vy + restitution * get(p + block.NORMAL_SPEED, l);
+  return wanted - (get(at + block.NX, l) * vx + get(at + block.NY, l) * vy);
 }
 
 function setImpulse(at: usize, p: usize, l: i32, wanted: real): void {

@@ -3,18 +3,22 @@
 //   margin = min(0.05 m, extent / 8)
 //
 // Source: the margin is that of Box2D 3 (constants.h).
+import { SPECULATIVE_DISTANCE } from '../../narrow-phase/2d/far-points';
 import { PLANE, SHAPE_BYTES, Shape, vertexX, vertexY } from '../../shapes/2d/shape';
 import {
   ASLEEP,
   COLLIDES,
   ENLARGED,
-  JOINED,
+  MOVES,
   flagsOf,
   poseOf,
   putFlags,
   putWord,
   stateOf,
+  word,
 } from '../../../solver/2d/body';
+import { bodyOf } from '../../../solver/2d/parts';
+import { pathAhead } from '../../../solver/2d/paths';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 
@@ -52,10 +56,7 @@ export function updateBoxes(t: RigidTable): void {
     if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
     const pose = poseOf(t, row);
     measureBox(shapeAt(t, row, spare), pose.x, pose.y, pose.c, pose.s);
-    if ((flags & JOINED) != 0) {
-      putFlags(t, row, flags & ~JOINED);
-      addMotion(t, row);
-    }
+    if ((flags & MOVES) != 0) addMotion(t, row);
     const box = rowBox(t, row);
     if (box.minX <= tight.minX && box.minY <= tight.minY && tight.maxX <= box.maxX && tight.maxY <= box.maxY) continue;
     const margin = min<real>(MARGIN, MARGIN_FRACTION * pose.extent);
@@ -63,17 +64,22 @@ export function updateBoxes(t: RigidTable): void {
     box.minY = tight.minY - margin;
     box.maxX = tight.maxX + margin;
     box.maxY = tight.maxY + margin;
-    putFlags(t, row, flagsOf(t, row) | ENLARGED);
+    putFlags(t, row, flags | ENLARGED);
     putWord(t.enlarged, count++, row);
   }
   t.enlargedCount = count;
 }
 
-// The box of what joints hold reaches as far as it may move in this step: contacts see it coming (far-points.ts).
+// The box of what flies reaches as far as it may move in this step: contacts see it coming (far-points.ts). What touched something
+// in the last step is left out, for the margins of heaps that move would be filled with pairs.
 function addMotion(t: RigidTable, row: i32): void {
-  const state = stateOf(t, row);
+  const body = bodyOf(t, row);
+  if (word(t.usedColors, body) != 0) return;
+  const path = pathAhead(t, body);
+  if (path <= SPECULATIVE_DISTANCE) return;
+  const state = stateOf(t, body);
   const dt = <real>t.dt;
-  const turn = abs<real>(state.w) * poseOf(t, row).extent;
+  const turn = abs<real>(state.w) * poseOf(t, body).extent;
   tight.minX += dt * min<real>(0, state.vx - turn);
   tight.minY += dt * min<real>(0, state.vy - turn);
   tight.maxX += dt * max<real>(0, state.vx + turn);

@@ -240,8 +240,10 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   const c = columns();
   contact.shapeA = <u32>word(c.shape, contact.a);
   contact.shapeB = <u32>word(c.shape, contact.b);
-  collideShapes(m, shapeAt(t, contact.a, spareA), shapeAt(t, contact.b, spareB));
-  dropFarPoints(t, contact, m);
+  const a1 = shapeAt(t, contact.a, spareA);
+  const b1 = shapeAt(t, contact.b, spareB);
+  collideShapes(m, a1, b1);
+  dropFarPoints(t, contact, m, a1, b1);
   contact.ac = a.c;
   contact.as = a.s;
   contact.bc = b.c;
