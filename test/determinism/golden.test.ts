@@ -44,7 +44,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "dfe60c8e08265326",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "5f18c8862aaee22a",
+      "spinner": "076e3d57ddb39122",
       "springs": "2f827429c1ac197b",
       "tumbler": "99cbb9998a02a0ca",
       "washer": "0fd9b98a0370fbe3",

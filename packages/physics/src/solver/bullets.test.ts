@@ -12,7 +12,7 @@ describe.each(['f32', 'f64'] as const)('a bullet in %s', (precision) => {
   };
   const shot = { radius: 0.05, density: 100, bullet: true };
 
-  it('hits a thin door that floats, as a body does that is none', () => {
+  it('hits a thin door that floats, which a body that is no bullet passes', () => {
     const cross = (bullet: boolean) => {
       const world = make();
       const door = spawn(world, { position: {}, collider: { shape: box(0.05, 2), density: 100 } });
@@ -21,12 +21,13 @@ describe.each(['f32', 'f64'] as const)('a bullet in %s', (precision) => {
       const { Position, Velocity } = world.components;
       return [Position.x[ball] - Position.x[door], Velocity.x[door]];
     };
-    for (const bullet of [false, true]) {
-      const [before, pushed] = cross(bullet);
-      expect(before).toBeLessThan(0);
-      // They go on together or apart: momentum is conserved, and the door took some.
-      expect(pushed).toBeGreaterThan(1);
-    }
+    const [behind, kept] = cross(false);
+    expect(behind).toBeGreaterThan(1);
+    expect(kept).toBe(0);
+    const [before, pushed] = cross(true);
+    expect(before).toBeLessThan(0);
+    // They go on together or apart: momentum is conserved, and the door took some.
+    expect(pushed).toBeGreaterThan(1);
   });
 
   it('meets another head-on, and one that crosses its way', () => {

@@ -1,4 +1,4 @@
-// How far bodies move in a step.
+// How far bodies moved in a step.
 import { poseOf, stateOf, word } from './body';
 import { RigidTable } from './rigid-table';
 
@@ -14,12 +14,4 @@ export function longestPath(t: RigidTable): real {
   let longest: real = 0;
   for (let i = 0; i < t.awakeCount; i++) longest = max<real>(longest, pathOf(t, word(t.awake, i)));
   return longest;
-}
-
-// How far any point of a body that is awake moves at most in this step, by the velocity at its start, m.
-// @ts-ignore: decorator
-@inline export function pathAhead(t: RigidTable, row: i32): real {
-  const state = stateOf(t, row);
-  const speed = sqrt<real>(state.vx * state.vx + state.vy * state.vy) + abs<real>(state.w) * poseOf(t, row).extent;
-  return <real>t.dt * speed;
 }

@@ -18,7 +18,6 @@ import {
   word,
 } from '../../../solver/2d/body';
 import { bodyOf } from '../../../solver/2d/parts';
-import { pathAhead } from '../../../solver/2d/paths';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 
@@ -71,20 +70,26 @@ export function updateBoxes(t: RigidTable): void {
 }
 
 // The box of what flies reaches as far as it may move in this step: contacts see it coming (far-points.ts). What touched something
-// in the last step is left out, for the margins of heaps that move would be filled with pairs.
+// in the last step is left out, for the margins of heaps that move would be filled with pairs, and so is what moves by more
+// than a few times its extent, whose box would be in the way of all others.
 function addMotion(t: RigidTable, row: i32): void {
   const body = bodyOf(t, row);
   if (word(t.usedColors, body) != 0) return;
-  const path = pathAhead(t, body);
-  if (path <= SPECULATIVE_DISTANCE) return;
   const state = stateOf(t, body);
-  const dt = <real>t.dt;
-  const turn = abs<real>(state.w) * poseOf(t, body).extent;
-  tight.minX += dt * min<real>(0, state.vx - turn);
-  tight.minY += dt * min<real>(0, state.vy - turn);
-  tight.maxX += dt * max<real>(0, state.vx + turn);
-  tight.maxY += dt * max<real>(0, state.vy + turn);
+  const extent = poseOf(t, body).extent;
+  const x = <real>t.dt * state.vx;
+  const y = <real>t.dt * state.vy;
+  const turn = <real>t.dt * abs<real>(state.w) * extent;
+  const path = sqrt<real>(x * x + y * y) + turn;
+  if (path <= SPECULATIVE_DISTANCE || path > MOST_EXTENTS * extent) return;
+  tight.minX += min<real>(0, x - turn);
+  tight.minY += min<real>(0, y - turn);
+  tight.maxX += max<real>(0, x + turn);
+  tight.maxY += max<real>(0, y + turn);
 }
+
+// The longest path of a step that is seen ahead, in extents of the body.
+const MOST_EXTENTS: real = 4;
 
 // Writes the box about a shape at a pose to `tight`.
 export function measureBox(shape: Shape, x: real, y: real, c: real, s: real): void {

@@ -240,10 +240,10 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   const c = columns();
   contact.shapeA = <u32>word(c.shape, contact.a);
   contact.shapeB = <u32>word(c.shape, contact.b);
-  const a1 = shapeAt(t, contact.a, spareA);
-  const b1 = shapeAt(t, contact.b, spareB);
-  collideShapes(m, a1, b1);
-  dropFarPoints(t, contact, m, a1, b1);
+  const shapeA = shapeAt(t, contact.a, spareA);
+  const shapeB = shapeAt(t, contact.b, spareB);
+  collideShapes(m, shapeA, shapeB);
+  dropFarPoints(t, contact, m, shapeA, shapeB);
   contact.ac = a.c;
   contact.as = a.s;
   contact.bc = b.c;
