@@ -1,4 +1,4 @@
-// When a bad coefficient is found: at once if other bodies read it, within 64 steps if it stays with its own body.
+// When a bad coefficient is found: at once if other bodies read it, within 128 steps if it stays with its own body.
 import { expect, test } from 'vitest';
 import { bodyState, steps } from '../../../../test/support/worlds.ts';
 import {
@@ -14,7 +14,7 @@ import {
   step,
 } from '../index.ts';
 
-const ROUND = 64;
+const ROUND = 128;
 
 /** Pulls each body towards the first, in proportion to the first one's mass. */
 const leash = (readsOfOthers?: readonly 'Mass'[]): Force =>

@@ -57,12 +57,12 @@ function coefficientsOf(component: ComponentName): readonly Coefficient[] {
 }
 
 /**
- * Where a bad value stays with its own body, a step checks a sixteenth of the rows in a fourth of the components: everything
- * once in 64 steps. A 64th of the rows in every component would take twice the time, because each piece of a column begins
+ * Where a bad value stays with its own body, a step checks a sixteenth of the rows in an eighth of the components: everything
+ * once in 128 steps. A 128th of the rows in every component would take twice the time, because each piece of a column begins
  * anew.
  */
 const PARTS = 16;
-const GROUPS = 4;
+const GROUPS = 8;
 
 /** What is checked in a world, without the components that nothing has: most worlds use few of them. */
 interface Watch {
@@ -94,7 +94,7 @@ const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly Coef
 
 /**
  * Reports coefficients out of bounds and corrects them. Every step checks those by which bodies are
- * coupled. Of the others it checks a 64th, so that an invalid value is found within 64 steps; reading every column in every
+ * coupled. Of the others it checks a 128th, so that an invalid value is found within 128 steps; reading every column in every
  * step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
