@@ -125,6 +125,8 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   if (!changed || (before | kind) == 0) return;
   if (((before | kind) & COLLIDES) != 0) t.treesValid = 0;
   forgetBox(t, row);
+  // What an earlier body of this row touched does not tell whether this one flies.
+  putWord(t.usedColors, row, 0);
   sleeperOf(t, row).stillFor = 0;
 }
 
