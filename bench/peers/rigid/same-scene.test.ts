@@ -10,12 +10,12 @@ const STEPS = 120;
 /** A parameter of all these scenes. */
 const AWAKE: object = { sleeping: 0 };
 
-/** The largest distance of a body from the middle of all, m. */
+/** The root mean square of the distances from the middle of all, m: a single box that is squeezed out must not decide. */
 function extentOf(positions: readonly ArrayLike<number>[]): number {
   const [xs, ys] = positions.map((values) => Array.from(values));
   const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x, y] = [mean(xs), mean(ys)];
-  return Math.max(...xs.map((value, i) => Math.hypot(value - x, ys[i] - y)));
+  return Math.sqrt(mean(xs.map((value, i) => (value - x) ** 2 + (ys[i] - y) ** 2)));
 }
 
 const extentOfPeer = (peer: Peer) => extentOf([peer.positions('x'), peer.positions('y')]);
