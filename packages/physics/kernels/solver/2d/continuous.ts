@@ -6,7 +6,8 @@
 // Source: the bounds are those of Box2D 3 (solver.c).
 import { sineCosine } from '../../math/elementary';
 import { COLLIDES, COMPOUND, DYNAMIC, FAST, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
-import { SAFE_PATH, TARGET, findImpact, impact } from './first-impact';
+import { TARGET } from '../../collision/narrow-phase/2d/far-points';
+import { SAFE_PATH, findImpact, impact } from './first-impact';
 import { setRotation } from './integrate-bodies';
 import { passSensors } from './pass-sensors';
 import { longestPath, pathOf } from './paths';

@@ -9,8 +9,8 @@ import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { collideShapes } from '../../collision/narrow-phase/2d/collide-shapes';
-import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/far-points';
-import { Manifold } from '../../collision/narrow-phase/2d/manifold';
+import { SPECULATIVE_DISTANCE, TARGET } from '../../collision/narrow-phase/2d/far-points';
+import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
@@ -22,8 +22,6 @@ import { shapeAt } from './walls';
 
 // The core of a body that must not pass through anything, as part of its least extent.
 const CORE_PART: real = 0.25;
-// How near a body is put: the slop of 5 mm, so that the contact is found.
-export const TARGET: real = 0.005;
 // A body that moves by less than contacts see ahead and the slop sinks in by less than the slop.
 export const SAFE_PATH: real = SPECULATIVE_DISTANCE + TARGET;
 
@@ -51,7 +49,7 @@ const path = changetype<FatBox>(memory.data(offsetof<FatBox>() + 8, 8));
 export function findImpact(t: RigidTable, row: i32, reach: real): real {
   impact.touches = false;
   const first = firstOfShapes(t, row, reach);
-  // What was met before it was known that the body touches something may not count then.
+  // Of a body that touches something fewer impacts count; some may have been found before its contact was.
   return impact.touches && first < 1 ? firstOfShapes(t, row, reach) : first;
 }
 
@@ -157,14 +155,9 @@ function maySink(shape: Shape): bool {
 // one. Where a floor turns up, what is pressed on it may enter further: to halt it would only press others into it.
 function endsInside(wall: Shape, shape: Shape): bool {
   if (impact.touches && !isSteep()) return false;
-  manifold.ax = 0;
-  manifold.ay = 0;
-  manifold.ac = sweep.endAc;
-  manifold.as = sweep.endAs;
-  manifold.bx = sweep.endBx - sweep.endAx;
-  manifold.by = sweep.endBy - sweep.endAy;
-  manifold.bc = sweep.endBc;
-  manifold.bs = sweep.endBs;
+  const x = sweep.endBx - sweep.endAx;
+  const y = sweep.endBy - sweep.endAy;
+  setPoses(manifold, x, y, sweep.endAc, sweep.endAs, sweep.endBc, sweep.endBs);
   manifold.speculative = -TARGET;
   manifold.reach = 0;
   collideShapes(manifold, wall, shape);

@@ -109,18 +109,10 @@ export function prepareContacts(table: usize): void {
   put(at + block.ROUNDING_B, l, roundingAt(t, contact.b));
 }
 
-// Points are half-way between the surfaces. What the bodies exert on each other acts where these meet, or angular momentum would
-// not be conserved.
 // @ts-ignore: decorator
-@inline function halfGap(point: ContactPoint): real {
-  return <real>0.5 * max<real>(0, point.separation);
-}
-
-// @ts-ignore: decorator
-@inline function fillAnchors(point: ContactPoint, at: usize, l: i32, to: usize): void {
+@inline function fillAnchors(point: ContactPoint, half: real, at: usize, l: i32, to: usize): void {
   const nx = get(at + block.NX, l);
   const ny = get(at + block.NY, l);
-  const half = halfGap(point);
   const roundingA = half + get(at + block.ROUNDING_A, l);
   const roundingB = half + get(at + block.ROUNDING_B, l);
   const ax = point.ax - roundingA * nx;
@@ -150,12 +142,14 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   const to = at + block.POINTS + <usize>p * block.POINT;
   const nx = contact.nx;
   const ny = contact.ny;
-  const half = halfGap(point);
+  // Points are half-way between the surfaces. What the bodies exert on each other acts where these meet, or angular momentum would
+  // not be conserved.
+  const half = <real>0.5 * max<real>(0, point.separation);
   const ax = point.ax - half * nx;
   const ay = point.ay - half * ny;
   const bx = point.bx + half * nx;
   const by = point.by + half * ny;
-  fillAnchors(point, at, l, to);
+  fillAnchors(point, half, at, l, to);
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
   let normalMass = a.inverseMass + b.inverseMass;

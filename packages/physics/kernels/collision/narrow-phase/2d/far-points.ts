@@ -10,8 +10,8 @@ import { Sweep, timeOfImpact } from './time-of-impact';
 
 // Shapes touch up to this distance, m: four times the slop of 5 mm.
 export const SPECULATIVE_DISTANCE: real = 0.02;
-// Surfaces that are nearer touch, and those that come nearer meet, m.
-const TARGET: real = 0.005;
+// The distance at which a time of impact counts, m: the slop, so that a body that is put there has a contact.
+export const TARGET: real = 0.005;
 
 const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
 

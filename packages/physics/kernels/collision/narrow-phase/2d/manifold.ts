@@ -18,8 +18,9 @@ export class Manifold {
   by: real;
   bc: real;
   bs: real;
-  // Shapes further apart than this have no contact, and of those that have one points further apart than `reach` are left out, m.
+  // Shapes further apart than this have no contact, m.
   speculative: real;
+  // Points of a contact that are further apart than this are left out, m.
   reach: real;
   // Unit normal from a to b.
   nx: real;
@@ -31,6 +32,20 @@ export class Manifold {
   x1: real;
   y1: real;
   separation1: real;
+}
+
+// Sets the poses of two shapes, with the position of b from a: far from the origin the difference of both has digits that they
+// lack.
+// @ts-ignore: decorator
+@inline export function setPoses(m: Manifold, x: real, y: real, ac: real, as: real, bc: real, bs: real): void {
+  m.ax = 0;
+  m.ay = 0;
+  m.ac = ac;
+  m.as = as;
+  m.bx = x;
+  m.by = y;
+  m.bc = bc;
+  m.bs = bs;
 }
 
 // Sets the normal. Pair functions write normal and points in the frame of their first shape; `toWorld` comes last.

@@ -38,7 +38,7 @@ import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { freeContact, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, reachOf } from './far-points';
-import { Manifold } from './manifold';
+import { Manifold, setPoses } from './manifold';
 import { mixMaterials } from './mix-materials';
 import { passesThrough } from './one-way';
 import {
@@ -224,15 +224,7 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   const m = manifold;
   const a = poseOf(t, contact.a);
   const b = poseOf(t, contact.b);
-  // Positions from a: far from the origin their difference has digits that they lack.
-  m.ax = 0;
-  m.ay = 0;
-  m.ac = a.c;
-  m.as = a.s;
-  m.bx = b.x - a.x;
-  m.by = b.y - a.y;
-  m.bc = b.c;
-  m.bs = b.s;
+  setPoses(m, b.x - a.x, b.y - a.y, a.c, a.s, b.c, b.s);
   const near = COINCIDENT * min<real>(a.minExtent, b.minExtent);
   if (m.bx * m.bx + m.by * m.by < near * near) spread(m, contact.a, contact.b, near);
   m.speculative = reachOf(t, contact);
