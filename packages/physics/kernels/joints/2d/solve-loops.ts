@@ -1,6 +1,6 @@
 // Hinges that close loops, in blocks of LANES (color-loops.ts), by the formulas of solve-locks.ts in reals of the world.
 import { add, div, larger, mul, splat, sub } from '../../memory/lanes';
-import { MOVEMENT, gather, gathered, scatter } from '../../solver/2d/gather-lanes';
+import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from '../../solver/2d/gather-lanes';
 import { softness } from '../../solver/2d/softness';
 import { JointTable } from './joint-table';
 import * as block from './loop-block';
@@ -22,18 +22,16 @@ export function startLoops(t: JointTable): void {
 
 // @ts-ignore: decorator
 @inline function measureBlock(at: usize, rate: v128): void {
-  gather(at + block.A, MOVEMENT);
-  const movedX = gathered.x;
-  const movedY = gathered.y;
-  let c = gathered.z;
-  let s = gathered.w;
+  const movedX = sub(lanesX(at + block.B, MOVEMENT), lanesX(at + block.A, MOVEMENT));
+  const movedY = sub(lanesY(at + block.B, MOVEMENT), lanesY(at + block.A, MOVEMENT));
+  let c = lanesZ(at + block.A, MOVEMENT);
+  let s = lanesW(at + block.A, MOVEMENT);
   let x = v128.load(at, block.START_AX);
   let y = v128.load(at, block.START_AY);
   const ax = sub(mul(c, x), mul(s, y));
   const ay = add(mul(s, x), mul(c, y));
-  gather(at + block.B, MOVEMENT);
-  c = gathered.z;
-  s = gathered.w;
+  c = lanesZ(at + block.B, MOVEMENT);
+  s = lanesW(at + block.B, MOVEMENT);
   x = v128.load(at, block.START_BX);
   y = v128.load(at, block.START_BY);
   const bx = sub(mul(c, x), mul(s, y));
@@ -48,8 +46,8 @@ export function startLoops(t: JointTable): void {
   const chordY = sub(mul(bendA, ay), mul(bendB, by));
   v128.store(at, chordX, block.CHORD_X);
   v128.store(at, chordY, block.CHORD_Y);
-  const dx = add(sub(gathered.x, movedX), sub(bx, ax));
-  const dy = add(sub(gathered.y, movedY), sub(by, ay));
+  const dx = add(movedX, sub(bx, ax));
+  const dy = add(movedY, sub(by, ay));
   v128.store(at, add(chordX, mul(rate, add(v128.load(at, block.START_X), dx))), block.WANTED_X);
   v128.store(at, add(chordY, mul(rate, add(v128.load(at, block.START_Y), dy))), block.WANTED_Y);
 }
@@ -104,16 +102,14 @@ function solveBlock(at: usize, massScale: v128, impulseScale: v128, pass: i32): 
   const ay = v128.load(at, block.AY);
   const bx = v128.load(at, block.BX);
   const by = v128.load(at, block.BY);
-  gather(at + block.A, 0);
-  const vxA = gathered.x;
-  const vyA = gathered.y;
-  const wA = gathered.z;
-  const turnedA = gathered.w;
-  gather(at + block.B, 0);
-  const vxB = gathered.x;
-  const vyB = gathered.y;
-  const wB = gathered.z;
-  const turnedB = gathered.w;
+  const vxA = lanesX(at + block.A, 0);
+  const vyA = lanesY(at + block.A, 0);
+  const wA = lanesZ(at + block.A, 0);
+  const turnedA = lanesW(at + block.A, 0);
+  const vxB = lanesX(at + block.B, 0);
+  const vyB = lanesY(at + block.B, 0);
+  const wB = lanesZ(at + block.B, 0);
+  const turnedB = lanesW(at + block.B, 0);
   let x = v128.load(at, block.IMPULSE_X);
   let y = v128.load(at, block.IMPULSE_Y);
   if (pass != WARM) {

@@ -1,5 +1,6 @@
 // The states of the bodies of LANES contacts as vectors with a lane for each contact, and back. Four reals of a body are one
-// vector in f32 and two in f64; turning four vectors (xpbd/packed-bodies.ts) is its own inverse.
+// vector in f32 and two in f64; turning four vectors (xpbd/packed-bodies.ts) is its own inverse. What several of these functions
+// read is loaded once: the compiler sees that nothing is stored in between.
 import { transpose0, transpose1, transpose2, transpose3 } from '../../xpbd/packed-bodies';
 
 // Byte offset of the second four reals of a body's state: distances moved.
@@ -12,27 +13,46 @@ export const MOVEMENT: usize = 4 * sizeof<real>();
   return <usize>load<u32>(list + ((<usize>(j & 1)) << 2)) + offset + ((<usize>(j >> 1)) << 4);
 }
 
-@unmanaged
-class Gathered {
-  x: v128;
-  y: v128;
-  z: v128;
-  w: v128;
+// @ts-ignore: decorator
+@inline function vector(list: usize, offset: usize, j: i32): v128 {
+  return v128.load(vectorAt(list, offset, j));
 }
 
-// What `gather` read last.
-export const gathered = changetype<Gathered>(memory.data(64, 16));
+// The first of the four reals of each body; below, the others.
+// @ts-ignore: decorator
+@inline export function lanesX(list: usize, offset: usize): v128 {
+  const a = vector(list, offset, 0);
+  const b = vector(list, offset, 1);
+  const c = vector(list, offset, 2);
+  const d = vector(list, offset, 3);
+  return transpose0(a, b, c, d);
+}
 
 // @ts-ignore: decorator
-@inline export function gather(list: usize, offset: usize): void {
-  const a = v128.load(vectorAt(list, offset, 0));
-  const b = v128.load(vectorAt(list, offset, 1));
-  const c = v128.load(vectorAt(list, offset, 2));
-  const d = v128.load(vectorAt(list, offset, 3));
-  gathered.x = transpose0(a, b, c, d);
-  gathered.y = transpose1(a, b, c, d);
-  gathered.z = transpose2(a, b, c, d);
-  gathered.w = transpose3(a, b, c, d);
+@inline export function lanesY(list: usize, offset: usize): v128 {
+  const a = vector(list, offset, 0);
+  const b = vector(list, offset, 1);
+  const c = vector(list, offset, 2);
+  const d = vector(list, offset, 3);
+  return transpose1(a, b, c, d);
+}
+
+// @ts-ignore: decorator
+@inline export function lanesZ(list: usize, offset: usize): v128 {
+  const a = vector(list, offset, 0);
+  const b = vector(list, offset, 1);
+  const c = vector(list, offset, 2);
+  const d = vector(list, offset, 3);
+  return transpose2(a, b, c, d);
+}
+
+// @ts-ignore: decorator
+@inline export function lanesW(list: usize, offset: usize): v128 {
+  const a = vector(list, offset, 0);
+  const b = vector(list, offset, 1);
+  const c = vector(list, offset, 2);
+  const d = vector(list, offset, 3);
+  return transpose3(a, b, c, d);
 }
 
 // @ts-ignore: decorator

@@ -12,7 +12,7 @@
 // Sources: Catto, Solver2D (2024); Macklin et al., Small Steps in Physics Simulation (2019); Box2D 3.
 import { add, larger, mul, splat, sub } from '../../memory/lanes';
 import * as block from './contact-block';
-import { MOVEMENT, gather, gathered, scatter } from './gather-lanes';
+import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from './gather-lanes';
 import { RigidTable } from './rigid-table';
 
 // The smaller of two vectors; where the second is not a number, the first.
@@ -59,12 +59,14 @@ export function warmStartContacts(table: usize): void {
   const myA = v128.load(at, block.MASS_AY);
   const mxB = v128.load(at, block.MASS_BX);
   const myB = v128.load(at, block.MASS_BY);
-  gather(at + block.A, 0);
-  const wa = sub(gathered.z, mul(v128.load(at, block.INERTIA_A), turnA));
-  scatter(at + block.A, sub(gathered.x, mul(mxA, px)), sub(gathered.y, mul(myA, py)), wa, gathered.w);
-  gather(at + block.B, 0);
-  const wb = add(gathered.z, mul(v128.load(at, block.INERTIA_B), turnB));
-  scatter(at + block.B, add(gathered.x, mul(mxB, px)), add(gathered.y, mul(myB, py)), wb, gathered.w);
+  const vxA = sub(lanesX(at + block.A, 0), mul(mxA, px));
+  const vyA = sub(lanesY(at + block.A, 0), mul(myA, py));
+  const wA = sub(lanesZ(at + block.A, 0), mul(v128.load(at, block.INERTIA_A), turnA));
+  const vxB = add(lanesX(at + block.B, 0), mul(mxB, px));
+  const vyB = add(lanesY(at + block.B, 0), mul(myB, py));
+  const wB = add(lanesZ(at + block.B, 0), mul(v128.load(at, block.INERTIA_B), turnB));
+  scatter(at + block.A, vxA, vyA, wA, lanesW(at + block.A, 0));
+  scatter(at + block.B, vxB, vyB, wB, lanesW(at + block.B, 0));
 }
 
 // Softly, with overlap pushed out at a bounded speed.
@@ -73,7 +75,7 @@ export function solveContacts(table: usize): void {
   const inverseH = splat(<real>(1 / t.h));
   const speed = splat(<real>-t.contactSpeed);
   const all = i32x4.splat(-1);
-  for (let i = 0; i < t.blockCount; i++) solveNormals(block.blockOf(t, i), inverseH, speed, true, all);
+  for (let i = 0; i < t.blockCount; i++) solveBlock(block.blockOf(t, i), inverseH, speed, true, all);
 }
 
 // Rigidly and without pushing, with friction.
@@ -94,10 +96,8 @@ export function relaxContacts(table: usize): void {
 // the load of the points, which changes friction. Resting contacts converge over the next sub-steps; an impact has only this one.
 const HIT_PASSES: i32 = 3;
 
-// Of those contacts of a block whose lane is set.
 function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
-  solveNormals(at, inverseH, inverseH, false, lanes);
-  applyFriction(at, lanes);
+  solveBlock(at, inverseH, inverseH, false, lanes);
 }
 
 // The contacts of a block whose second point is hit. The others must not notice: which share a block depends on all bodies.
@@ -107,29 +107,26 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
   return v128.lt<real>(speed, splat(-block.HIT_SPEED));
 }
 
+// The normals, and when relaxing friction, of those contacts of a block whose lane is set.
 // @ts-ignore: decorator
-@inline function solveNormals(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128): void {
+@inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128): void {
   const zero = splat(0);
-  gather(at + block.A, MOVEMENT);
-  const dxA = gathered.x;
-  const dyA = gathered.y;
-  const cA = gathered.z;
-  const sA = gathered.w;
-  gather(at + block.B, MOVEMENT);
-  const dx = sub(gathered.x, dxA);
-  const dy = sub(gathered.y, dyA);
-  const cB = gathered.z;
-  const sB = gathered.w;
-  gather(at + block.A, 0);
-  let vxA = gathered.x;
-  let vyA = gathered.y;
-  let wA = gathered.z;
-  const turnedA = gathered.w;
-  gather(at + block.B, 0);
-  let vxB = gathered.x;
-  let vyB = gathered.y;
-  let wB = gathered.z;
-  const turnedB = gathered.w;
+  const a = at + block.A;
+  const b = at + block.B;
+  const dx = sub(lanesX(b, MOVEMENT), lanesX(a, MOVEMENT));
+  const dy = sub(lanesY(b, MOVEMENT), lanesY(a, MOVEMENT));
+  const cA = lanesZ(a, MOVEMENT);
+  const sA = lanesW(a, MOVEMENT);
+  const cB = lanesZ(b, MOVEMENT);
+  const sB = lanesW(b, MOVEMENT);
+  let vxA = lanesX(a, 0);
+  let vyA = lanesY(a, 0);
+  let wA = lanesZ(a, 0);
+  const turnedA = lanesW(a, 0);
+  let vxB = lanesX(b, 0);
+  let vyB = lanesY(b, 0);
+  let wB = lanesZ(b, 0);
+  const turnedB = lanesW(b, 0);
   const mxA = v128.load(at, block.MASS_AX);
   const myA = v128.load(at, block.MASS_AY);
   const iA = v128.load(at, block.INERTIA_A);
@@ -174,22 +171,25 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
     vyB = add(vyB, mul(myB, py));
     wB = add(wB, mul(iB, cross(bx, by, px, py)));
   }
-  scatter(at + block.A, vxA, vyA, wA, turnedA);
-  scatter(at + block.B, vxB, vyB, wB, turnedB);
+  if (!soft) return applyFriction(at, lanes, vxA, vyA, wA, turnedA, vxB, vyB, wB, turnedB);
+  scatter(a, vxA, vyA, wA, turnedA);
+  scatter(b, vxB, vyB, wB, turnedB);
 }
 
+// Friction and rolling resistance, at the velocities that the normals have left.
 // @ts-ignore: decorator
-@inline function applyFriction(at: usize, lanes: v128): void {
-  gather(at + block.A, 0);
-  let vxA = gathered.x;
-  let vyA = gathered.y;
-  let wA = gathered.z;
-  const turnedA = gathered.w;
-  gather(at + block.B, 0);
-  let vxB = gathered.x;
-  let vyB = gathered.y;
-  let wB = gathered.z;
-  const turnedB = gathered.w;
+@inline function applyFriction(
+  at: usize,
+  lanes: v128,
+  vxA: v128,
+  vyA: v128,
+  wA: v128,
+  turnedA: v128,
+  vxB: v128,
+  vyB: v128,
+  wB: v128,
+  turnedB: v128,
+): void {
   const mxA = v128.load(at, block.MASS_AX);
   const myA = v128.load(at, block.MASS_AY);
   const iA = v128.load(at, block.INERTIA_A);
