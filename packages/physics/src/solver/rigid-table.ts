@@ -14,6 +14,7 @@ import {
   RIGID_CONTACT_SIZE,
   RIGID_TABLE_BYTES,
   SLEEPER_BYTES,
+  TREE_NODE_BYTES,
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
@@ -41,7 +42,8 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
 function rowBytes(precision: Precision): number {
   const bytes = realBytes(precision);
-  return 16 * bytes + 4 * bytes + SLEEPER_BYTES[precision] + 4 * (4 * bytes + 8) + CROWD_BYTES + 16 * 4;
+  const records = SLEEPER_BYTES[precision] + 4 * TREE_NODE_BYTES[precision] + CROWD_BYTES;
+  return 16 * bytes + 4 * bytes + records + 15 * 4;
 }
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
@@ -108,18 +110,9 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.boxes, 4 * bytes);
   take(Word.sleepers, SLEEPER_BYTES[precision]);
   take(Word.crowds, CROWD_BYTES);
-  const node = 4 * bytes + 8;
-  take(Word.staticNodes, 2 * node);
-  take(Word.movingNodes, 2 * node);
-  for (const word of [
-    Word.flags,
-    Word.bodyGenerations,
-    Word.usedColors,
-    Word.awake,
-    Word.treeRows,
-    Word.enlarged,
-    Word.crowded,
-  ]) {
+  take(Word.staticNodes, 2 * TREE_NODE_BYTES[precision]);
+  take(Word.movingNodes, 2 * TREE_NODE_BYTES[precision]);
+  for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.crowded]) {
     take(word, 4);
   }
   for (const word of [

@@ -91,8 +91,10 @@ export function listAwake(t: RigidTable): void {
   rest(t, 0);
   poseOf(t, 0).c = 1;
   let awake = 0;
+  t.asleepCount = 0;
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
+    if ((flags & ASLEEP) != 0) t.asleepCount++;
     if ((flags & (MOVES | STATIC)) == 0 || (flags & (ASLEEP | PART)) != 0) continue;
     if ((flags & WALL) != 0) {
       placeWall(t, row);

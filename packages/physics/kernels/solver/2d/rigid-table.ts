@@ -89,6 +89,8 @@ export class RigidTable {
   // Rows of bodies that the solver moves in this step, ascending.
   awake: usize;
   awakeCount: i32;
+  // Rows that sleep.
+  asleepCount: i32;
   // What sleep keeps, by row (class Sleeper), and the pairs of bodies that joints connect in this step.
   sleepers: usize;
   links: usize;
@@ -110,9 +112,9 @@ export class RigidTable {
   rememberedLow: u32;
   rememberedHigh: u32;
   longestPath: f64;
-  // Rows whose fat box changed in this step.
-  enlarged: usize;
+  // How many fat boxes changed in this step, and how many of these are of rows that do not move.
   enlargedCount: i32;
+  enlargedStatics: i32;
   // Pairs found in this step, as keys of u64, and as much room to sort them.
   pairs: usize;
   sortedPairs: usize;

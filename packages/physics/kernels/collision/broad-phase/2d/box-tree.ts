@@ -4,7 +4,7 @@
 // halving the extent of the centres.
 import { FatBox, overlaps, rowBox } from './fat-boxes';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { putWord, word } from '../../../solver/2d/body';
+import { ENLARGED, flagsOf, putWord, word } from '../../../solver/2d/body';
 
 @unmanaged
 export class TreeNode {
@@ -15,6 +15,8 @@ export class TreeNode {
   skip: i32;
   // Of a leaf; 0 of an inner node.
   row: i32;
+  // Whether a box in it changed in this step; not of a row that collides with no layer, which finds nothing.
+  changed: i32;
 }
 
 const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
@@ -35,6 +37,12 @@ const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>
     else at++;
   }
   return count;
+}
+
+// Whether a box of the tree had changed when it was last brought up to date.
+// @ts-ignore: decorator
+@inline export function hasChanged(nodes: usize, count: i32): bool {
+  return count > 0 && nodeAt(nodes, 0).changed != 0;
 }
 
 // Makes a tree of the boxes of `count` rows, listed at t.treeRows, and returns the number of its nodes.
@@ -91,6 +99,7 @@ export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
     const node = nodeAt(nodes, i);
     if (node.row != 0) {
       const box = rowBox(t, node.row);
+      node.changed = (flagsOf(t, node.row) & ENLARGED) != 0 && word(t.masks, node.row) != 0 ? 1 : 0;
       node.minX = box.minX;
       node.minY = box.minY;
       node.maxX = box.maxX;
@@ -98,6 +107,7 @@ export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
     } else {
       const a = nodeAt(nodes, i + 1);
       const b = nodeAt(nodes, a.skip);
+      node.changed = a.changed | b.changed;
       node.minX = min<real>(a.minX, b.minX);
       node.minY = min<real>(a.minY, b.minY);
       node.maxX = max<real>(a.maxX, b.maxX);

@@ -10,10 +10,10 @@ import {
   COLLIDES,
   ENLARGED,
   MOVES,
+  STATIC,
   flagsOf,
   poseOf,
   putFlags,
-  putWord,
   stateOf,
   word,
 } from '../../../solver/2d/body';
@@ -42,14 +42,25 @@ export const tight = changetype<FatBox>(memory.data(offsetof<FatBox>() + sizeof<
   return changetype<FatBox>(t.boxes + <usize>row * (4 * sizeof<real>()));
 }
 
+// All four comparisons at once: which of them fails is hard to predict.
 // @ts-ignore: decorator
 @inline export function overlaps(a: FatBox, b: FatBox): bool {
-  return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
+  const leastA = v128.load(changetype<usize>(a));
+  const leastB = v128.load(changetype<usize>(b));
+  if (sizeof<real>() == 4) {
+    const least = v128.shuffle<u64>(leastA, leastB, 0, 2);
+    const most = v128.shuffle<u64>(leastB, leastA, 1, 3);
+    return i32x4.bitmask(f32x4.le(least, most)) == 15;
+  }
+  const mostA = v128.load(changetype<usize>(a), 16);
+  const mostB = v128.load(changetype<usize>(b), 16);
+  return i64x2.bitmask(v128.and(f64x2.le(leastA, mostB), f64x2.le(leastB, mostA))) == 3;
 }
 
-// Gives every body that left its fat box another, and lists these bodies.
+// Gives every body that left its fat box another, and counts these bodies.
 export function updateBoxes(t: RigidTable): void {
-  let count = 0;
+  t.enlargedCount = 0;
+  t.enlargedStatics = 0;
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
     if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
@@ -64,9 +75,9 @@ export function updateBoxes(t: RigidTable): void {
     box.maxX = tight.maxX + margin;
     box.maxY = tight.maxY + margin;
     putFlags(t, row, flags | ENLARGED);
-    putWord(t.enlarged, count++, row);
+    t.enlargedCount++;
+    if ((flags & STATIC) != 0) t.enlargedStatics++;
   }
-  t.enlargedCount = count;
 }
 
 // The box of what flies reaches as far as it may move in this step: contacts see it coming (far-points.ts). What touched something

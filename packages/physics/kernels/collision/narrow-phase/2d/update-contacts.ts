@@ -68,6 +68,7 @@ const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 // Wakes the islands that something awake touches, before contacts are updated.
 export function wakeTouched(table: usize): void {
   const t = changetype<RigidTable>(table);
+  if (t.asleepCount == 0) return;
   let any = false;
   for (let i = 0; i < t.contactCount; i++) {
     const contact = contactAt(t, word(t.order, i));
