@@ -58,8 +58,8 @@ export function colorContacts(table: usize): void {
   return ctz<u32>(bit);
 }
 
-// Contacts without a color come first, one per block.
-function layOutBlocks(t: RigidTable): void {
+// Contacts without a color come first, one per block. Contacts that take their lanes in the same order get the same again.
+export function layOutBlocks(t: RigidTable): void {
   let lane = word(t.colorCounts, UNCOLORED) * LANES;
   putWord(t.colors, UNCOLORED, 0);
   for (let color = 0; color < UNCOLORED; color++) {

@@ -4,7 +4,7 @@ import { get, put } from '../../memory/columns';
 import { ContactPoint, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
-import { takeLane } from './color-contacts';
+import { layOutBlocks, takeLane } from './color-contacts';
 import * as block from './contact-block';
 import { noteDepth } from './crowds';
 import { inverseMassAlong, inverseMassX, inverseMassY, openAxes } from './motion-locks';
@@ -25,7 +25,6 @@ const YIELD: real = 0.01;
 
 export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
-  for (let i = 0; i < t.blockCount; i++) clearBlock(t, i);
   t.deepCount = 0;
   t.hitCount = 0;
   const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);
@@ -41,6 +40,7 @@ export function prepareContacts(table: usize): void {
     const lane = takeLane(t, word(t.touching, 2 * i + 1));
     const at = block.blockOf(t, lane / LANES);
     const l = lane & (LANES - 1);
+    if (l == 0) clearBlock(t, at);
     const contact = contactAt(t, slot);
     putWord(at + block.SLOT, l, slot);
     const single = isUneven(poseOf(t, contact.bodyA).inverseMass, poseOf(t, contact.bodyB).inverseMass);
@@ -63,8 +63,7 @@ export function prepareContacts(table: usize): void {
 
 // Lanes without a contact act on row 0 with no mass.
 // @ts-ignore: decorator
-@inline function clearBlock(t: RigidTable, i: i32): void {
-  const at = block.blockOf(t, i);
+@inline function clearBlock(t: RigidTable, at: usize): void {
   memory.fill(at, 0, block.CONTACT_BLOCK);
   const none = i32x4.splat(<i32>t.states);
   v128.store(at + block.A, none);
@@ -184,20 +183,21 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
 // Keeps the impulses for the next step, and for who asks about this one.
 export function storeImpulses(table: usize): void {
   const t = changetype<RigidTable>(table);
-  for (let i = 0; i < t.blockCount; i++) {
-    const at = block.blockOf(t, i);
-    for (let l = 0; l < LANES; l++) {
-      const slot = word(at + block.SLOT, l);
-      if (slot < 0) continue;
-      const contact = contactAt(t, slot);
-      contact.rollingImpulse = get(at + block.ROLLING_IMPULSE, l);
-      for (let p = 0; p < contact.count; p++) {
-        const point = pointOf(contact, p);
-        const from = at + block.POINTS + <usize>p * block.POINT;
-        point.normalImpulse = get(from + block.NORMAL_IMPULSE, l);
-        point.tangentImpulse = get(from + block.TANGENT_IMPULSE, l);
-        point.totalImpulse = get(from + block.TOTAL_IMPULSE, l);
-      }
-    }
+  layOutBlocks(t);
+  for (let i = 0; i < t.touchingCount; i++) {
+    const lane = takeLane(t, word(t.touching, 2 * i + 1));
+    storeContact(contactAt(t, word(t.touching, 2 * i)), block.blockOf(t, lane / LANES), lane & (LANES - 1));
+  }
+}
+
+// @ts-ignore: decorator
+@inline function storeContact(contact: RigidContact, at: usize, l: i32): void {
+  contact.rollingImpulse = get(at + block.ROLLING_IMPULSE, l);
+  for (let p = 0; p < contact.count; p++) {
+    const point = pointOf(contact, p);
+    const from = at + block.POINTS + <usize>p * block.POINT;
+    point.normalImpulse = get(from + block.NORMAL_IMPULSE, l);
+    point.tangentImpulse = get(from + block.TANGENT_IMPULSE, l);
+    point.totalImpulse = get(from + block.TOTAL_IMPULSE, l);
   }
 }
