@@ -28,6 +28,7 @@ describe('groups', () => {
       fall(2, { group: 7, layers: 2 }, { group: 7, mask: 1 }),
       fall(4, { group: -1 }, { group: -2 }),
       fall(6, { group: -1 }, {}),
+      fall(12, { group: 7, mask: 0 }, { group: 7, mask: 0 }),
     ];
     const through = [fall(8, { group: -4 }, { group: -4 }), fall(10, { group: 7, layers: 2 }, { group: 8, mask: 1 })];
     run(world, 1);

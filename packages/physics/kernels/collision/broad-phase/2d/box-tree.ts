@@ -4,7 +4,7 @@
 // halving the extent of the centres.
 import { FatBox, overlaps, rowBox } from './fat-boxes';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { ENLARGED, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { ENLARGED, GROUPED, flagsOf, putWord, word } from '../../../solver/2d/body';
 
 @unmanaged
 export class TreeNode {
@@ -15,7 +15,7 @@ export class TreeNode {
   skip: i32;
   // Of a leaf; 0 of an inner node.
   row: i32;
-  // Whether a box in it changed in this step; not of a row that collides with no layer, which finds nothing.
+  // Whether a box in it changed in this step that may find others.
   changed: i32;
 }
 
@@ -92,6 +92,13 @@ function divide(t: RigidTable, first: i32, last: i32): i32 {
   return middle == first || middle == last ? (first + last) >> 1 : middle;
 }
 
+// Whether a row looks for others: its box changed, and it collides with some layer, or with its group.
+// @ts-ignore: decorator
+@inline function mayFind(t: RigidTable, row: i32): bool {
+  const flags = flagsOf(t, row);
+  return (flags & ENLARGED) != 0 && (word(t.masks, row) != 0 || (flags & GROUPED) != 0);
+}
+
 // Brings the boxes of all nodes up to date, and returns the sum of their half perimeters.
 export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
   let perimeter: f64 = 0;
@@ -99,7 +106,7 @@ export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
     const node = nodeAt(nodes, i);
     if (node.row != 0) {
       const box = rowBox(t, node.row);
-      node.changed = (flagsOf(t, node.row) & ENLARGED) != 0 && word(t.masks, node.row) != 0 ? 1 : 0;
+      node.changed = mayFind(t, node.row) ? 1 : 0;
       node.minX = box.minX;
       node.minY = box.minY;
       node.maxX = box.maxX;
