@@ -6,7 +6,7 @@
 // Source: the bounds are those of Box2D 3 (solver.c).
 import { sineCosine } from '../../math/elementary';
 import { COLLIDES, COMPOUND, DYNAMIC, FAST, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
-import { TARGET } from '../../collision/narrow-phase/2d/far-points';
+import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
 import { SAFE_PATH, findImpact, impact } from './first-impact';
 import { setRotation } from './integrate-bodies';
 import { passSensors } from './pass-sensors';

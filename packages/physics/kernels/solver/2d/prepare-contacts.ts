@@ -1,7 +1,13 @@
 // Fills the blocks of contacts for the sub-steps of a step, and empties them into the contacts afterwards.
 import { LANES } from '../../memory/lanes';
 import { get, put } from '../../memory/columns';
-import { ContactPoint, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import {
+  ContactPoint,
+  FORESEEN,
+  RigidContact,
+  contactAt,
+  pointOf,
+} from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
@@ -142,8 +148,8 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   const nx = contact.nx;
   const ny = contact.ny;
   // Points are half-way between the surfaces. What the bodies exert on each other acts where these meet, or angular momentum would
-  // not be conserved.
-  const half = <real>0.5 * max<real>(0, point.separation);
+  // not be conserved; of what was found ahead they are there already.
+  const half = (contact.flags & FORESEEN) != 0 ? <real>0 : <real>0.5 * max<real>(0, point.separation);
   const ax = point.ax - half * nx;
   const ay = point.ay - half * ny;
   const bx = point.bx + half * nx;

@@ -81,6 +81,8 @@ export const IGNORED: u32 = 256;
 export const COVERED: u32 = 512;
 // Two bodies that move overlap deeply (solver/2d/crowds.ts).
 export const IS_DEEP: u32 = 1024;
+// The manifold is that of the moment in this step at which the shapes will meet (collide-ahead.ts).
+export const FORESEEN: u32 = 2048;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

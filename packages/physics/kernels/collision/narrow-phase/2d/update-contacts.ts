@@ -43,6 +43,7 @@ import { mixMaterials } from './mix-materials';
 import { passesThrough } from './one-way';
 import {
   ContactPoint,
+  FORESEEN,
   FOUND,
   IGNORED,
   IS_DEEP,
@@ -243,7 +244,9 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.bs = b.s;
   contact.dx = m.bx;
   contact.dy = m.by;
-  contact.flags |= FOUND;
+  // What was found ahead is found anew in the next step.
+  if ((contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
+  else contact.flags |= FOUND;
   takePoints(t, contact, m);
 }
 

@@ -1,0 +1,133 @@
+// The contact of two shapes that fly, as it will be when they meet, if they do so within the step: normal and anchors are those of
+// the impact, and the separations say how far away it is. So what turns, or passes close by, is hit where and as it would be
+// in short steps.
+import { ASLEEP, BodyState, MOVES, flagsOf, poseOf, stateOf } from '../../../solver/2d/body';
+import { RigidTable } from '../../../solver/2d/rigid-table';
+import { Shape } from '../../shapes/2d/shape';
+import { collideShapes } from './collide-shapes';
+import { Manifold, setPoses } from './manifold';
+import { FORESEEN, RigidContact } from './rigid-contact';
+import { Sweep, timeOfImpact } from './time-of-impact';
+
+// The distance at which a time of impact counts, m: the slop, so that a body that is put there has a contact.
+export const TARGET: real = 0.005;
+
+const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
+
+// The velocities of a body: those of the world, row 0, if it does not move.
+// @ts-ignore: decorator
+@inline export function motionOf(t: RigidTable, body: i32): BodyState {
+  return stateOf(t, isMoving(t, body) ? body : 0);
+}
+
+// @ts-ignore: decorator
+@inline function isMoving(t: RigidTable, body: i32): bool {
+  return (flagsOf(t, body) & MOVES) != 0 && (flagsOf(t, body) & ASLEEP) == 0;
+}
+
+// Leaves no point where the two do not meet.
+export function collideAhead(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): void {
+  if (!meet(t, contact, shapeA, shapeB)) {
+    m.count = 0;
+    return;
+  }
+  if (sweep.fraction == 0) return;
+  collideAt(sweep.fraction, m, shapeA, shapeB);
+  contact.flags |= FORESEEN;
+  // The solver follows the movements from the start of the step on, and turns the anchors as if they were those then.
+  const time = sweep.fraction * <real>t.dt;
+  m.separation0 += time * turning(t, contact, m, m.x0, m.y0);
+  m.separation1 += time * turning(t, contact, m, m.x1, m.y1);
+}
+
+// Whether two shapes meet in this step if their bodies go on as they are; then `sweep` says when.
+function meet(t: RigidTable, contact: RigidContact, shapeA: Shape, shapeB: Shape): bool {
+  foresee(t, contact.bodyA, contact.a, contact.a);
+  sweep.ax = start.x;
+  sweep.ay = start.y;
+  sweep.ac = start.c;
+  sweep.as = start.s;
+  sweep.endAx = end.x;
+  sweep.endAy = end.y;
+  sweep.endAc = end.c;
+  sweep.endAs = end.s;
+  foresee(t, contact.bodyB, contact.b, contact.a);
+  sweep.bx = start.x;
+  sweep.by = start.y;
+  sweep.bc = start.c;
+  sweep.bs = start.s;
+  sweep.endBx = end.x;
+  sweep.endBy = end.y;
+  sweep.endBc = end.c;
+  sweep.endBs = end.s;
+  sweep.target = TARGET;
+  timeOfImpact(sweep, shapeA, shapeB);
+  return sweep.isHit != 0;
+}
+
+// Finds the contact at the fraction of the step at which the two meet.
+function collideAt(f: real, m: Manifold, shapeA: Shape, shapeB: Shape): void {
+  const ac = sweep.ac + f * (sweep.endAc - sweep.ac);
+  const as = sweep.as + f * (sweep.endAs - sweep.as);
+  const bc = sweep.bc + f * (sweep.endBc - sweep.bc);
+  const bs = sweep.bs + f * (sweep.endBs - sweep.bs);
+  const a = <real>1 / sqrt<real>(ac * ac + as * as);
+  const b = <real>1 / sqrt<real>(bc * bc + bs * bs);
+  const x = sweep.bx - sweep.ax;
+  const y = sweep.by - sweep.ay;
+  setPoses(
+    m,
+    x + f * (sweep.endBx - sweep.endAx - x),
+    y + f * (sweep.endBy - sweep.endAy - y),
+    a * ac,
+    a * as,
+    b * bc,
+    b * bs,
+  );
+  collideShapes(m, shapeA, shapeB);
+}
+
+// The speed at which the surfaces come nearer at a point because the shapes turn.
+function turning(t: RigidTable, contact: RigidContact, m: Manifold, x: real, y: real): real {
+  const wa = motionOf(t, contact.bodyA).w;
+  const wb = motionOf(t, contact.bodyB).w;
+  const bx = x - m.bx;
+  const by = y - m.by;
+  return m.nx * (wb * by - wa * y) + m.ny * (wa * x - wb * bx);
+}
+
+@unmanaged
+class Place {
+  x: real;
+  y: real;
+  c: real;
+  s: real;
+}
+
+const start = changetype<Place>(memory.data(offsetof<Place>() + 8, 8));
+const end = changetype<Place>(memory.data(offsetof<Place>() + 8, 8));
+
+// The pose of a shape now, from that of the shape `origin`, and at the end of the step.
+function foresee(t: RigidTable, body: i32, row: i32, origin: i32): void {
+  const pose = poseOf(t, row);
+  start.x = pose.x - poseOf(t, origin).x;
+  start.y = pose.y - poseOf(t, origin).y;
+  end.x = start.x;
+  end.y = start.y;
+  end.c = start.c = pose.c;
+  end.s = start.s = pose.s;
+  if (!isMoving(t, body)) return;
+  const state = stateOf(t, body);
+  const dt = <real>t.dt;
+  // To second order, and of length 1 again: less than half a turn.
+  const half = <real>0.5 * max<real>(-2, min<real>(2, dt * state.w));
+  const scale = <real>1 / (1 + half * half);
+  const c = (<real>1 - half * half) * scale;
+  const s = <real>2 * half * scale;
+  const armX = pose.x - poseOf(t, body).x;
+  const armY = pose.y - poseOf(t, body).y;
+  end.x += dt * state.vx + (c * armX - s * armY) - armX;
+  end.y += dt * state.vy + (s * armX + c * armY) - armY;
+  end.c = pose.c * c - pose.s * s;
+  end.s = pose.s * c + pose.c * s;
+}
