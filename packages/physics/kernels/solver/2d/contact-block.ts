@@ -4,7 +4,7 @@ import { RigidTable } from './rigid-table';
 // @ts-ignore: decorator
 @inline const V: usize = 16;
 
-// Addresses of the states of the bodies a and b, and the number of the contact's record, -1 for a lane without contact.
+// Addresses of the states of the bodies a and b, and the number of the contact's record.
 export const A: usize = 0;
 export const B: usize = V;
 export const SLOT: usize = 2 * V;

@@ -13,46 +13,36 @@ export const MOVEMENT: usize = 4 * sizeof<real>();
   return <usize>load<u32>(list + ((<usize>(j & 1)) << 2)) + offset + ((<usize>(j >> 1)) << 4);
 }
 
+// The k-th of the four reals of each body.
 // @ts-ignore: decorator
-@inline function vector(list: usize, offset: usize, j: i32): v128 {
-  return v128.load(vectorAt(list, offset, j));
+@inline function component(list: usize, offset: usize, k: i32): v128 {
+  const a = v128.load(vectorAt(list, offset, 0));
+  const b = v128.load(vectorAt(list, offset, 1));
+  const c = v128.load(vectorAt(list, offset, 2));
+  const d = v128.load(vectorAt(list, offset, 3));
+  if (k == 0) return transpose0(a, b, c, d);
+  if (k == 1) return transpose1(a, b, c, d);
+  return k == 2 ? transpose2(a, b, c, d) : transpose3(a, b, c, d);
 }
 
-// The first of the four reals of each body; below, the others.
 // @ts-ignore: decorator
 @inline export function lanesX(list: usize, offset: usize): v128 {
-  const a = vector(list, offset, 0);
-  const b = vector(list, offset, 1);
-  const c = vector(list, offset, 2);
-  const d = vector(list, offset, 3);
-  return transpose0(a, b, c, d);
+  return component(list, offset, 0);
 }
 
 // @ts-ignore: decorator
 @inline export function lanesY(list: usize, offset: usize): v128 {
-  const a = vector(list, offset, 0);
-  const b = vector(list, offset, 1);
-  const c = vector(list, offset, 2);
-  const d = vector(list, offset, 3);
-  return transpose1(a, b, c, d);
+  return component(list, offset, 1);
 }
 
 // @ts-ignore: decorator
 @inline export function lanesZ(list: usize, offset: usize): v128 {
-  const a = vector(list, offset, 0);
-  const b = vector(list, offset, 1);
-  const c = vector(list, offset, 2);
-  const d = vector(list, offset, 3);
-  return transpose2(a, b, c, d);
+  return component(list, offset, 2);
 }
 
 // @ts-ignore: decorator
 @inline export function lanesW(list: usize, offset: usize): v128 {
-  const a = vector(list, offset, 0);
-  const b = vector(list, offset, 1);
-  const c = vector(list, offset, 2);
-  const d = vector(list, offset, 3);
-  return transpose3(a, b, c, d);
+  return component(list, offset, 3);
 }
 
 // @ts-ignore: decorator

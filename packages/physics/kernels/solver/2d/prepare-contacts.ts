@@ -74,7 +74,6 @@ export function prepareContacts(table: usize): void {
   const none = i32x4.splat(<i32>t.states);
   v128.store(at + block.A, none);
   v128.store(at + block.B, none);
-  v128.store(at + block.SLOT, i32x4.splat(-1));
 }
 
 // Bodies that do not move have row 0 in their place.
@@ -148,7 +147,7 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   const nx = contact.nx;
   const ny = contact.ny;
   // Points are half-way between the surfaces. What the bodies exert on each other acts where these meet, or angular momentum would
-  // not be conserved; of what was found ahead they are there already.
+  // not be conserved. The points of a predicted contact are there already.
   const half = (contact.flags & FORESEEN) != 0 ? <real>0 : <real>0.5 * max<real>(0, point.separation);
   const ax = point.ax - half * nx;
   const ay = point.ay - half * ny;

@@ -42,24 +42,8 @@ export function collideAhead(t: RigidTable, contact: RigidContact, m: Manifold, 
 
 // Whether two shapes meet in this step if their bodies go on as they are; then `sweep` says when.
 function meet(t: RigidTable, contact: RigidContact, shapeA: Shape, shapeB: Shape): bool {
-  foresee(t, contact.bodyA, contact.a, contact.a);
-  sweep.ax = start.x;
-  sweep.ay = start.y;
-  sweep.ac = start.c;
-  sweep.as = start.s;
-  sweep.endAx = end.x;
-  sweep.endAy = end.y;
-  sweep.endAc = end.c;
-  sweep.endAs = end.s;
-  foresee(t, contact.bodyB, contact.b, contact.a);
-  sweep.bx = start.x;
-  sweep.by = start.y;
-  sweep.bc = start.c;
-  sweep.bs = start.s;
-  sweep.endBx = end.x;
-  sweep.endBy = end.y;
-  sweep.endBc = end.c;
-  sweep.endBs = end.s;
+  foresee(t, contact.bodyA, contact.a, contact.a, changetype<Motion>(changetype<usize>(sweep) + offsetof<Sweep>('ax')));
+  foresee(t, contact.bodyB, contact.b, contact.a, changetype<Motion>(changetype<usize>(sweep) + offsetof<Sweep>('bx')));
   sweep.target = TARGET;
   timeOfImpact(sweep, shapeA, shapeB);
   return sweep.isHit != 0;
@@ -96,26 +80,28 @@ function turning(t: RigidTable, contact: RigidContact, m: Manifold, x: real, y: 
   return m.nx * (wb * by - wa * y) + m.ny * (wa * x - wb * bx);
 }
 
+// The motion of one of the two shapes, as it lies in a Sweep.
 @unmanaged
-class Place {
+class Motion {
   x: real;
   y: real;
   c: real;
   s: real;
+  endX: real;
+  endY: real;
+  endC: real;
+  endS: real;
 }
 
-const start = changetype<Place>(memory.data(offsetof<Place>() + 8, 8));
-const end = changetype<Place>(memory.data(offsetof<Place>() + 8, 8));
-
 // The pose of a shape now, from that of the shape `origin`, and at the end of the step.
-function foresee(t: RigidTable, body: i32, row: i32, origin: i32): void {
+function foresee(t: RigidTable, body: i32, row: i32, origin: i32, to: Motion): void {
   const pose = poseOf(t, row);
-  start.x = pose.x - poseOf(t, origin).x;
-  start.y = pose.y - poseOf(t, origin).y;
-  end.x = start.x;
-  end.y = start.y;
-  end.c = start.c = pose.c;
-  end.s = start.s = pose.s;
+  to.x = pose.x - poseOf(t, origin).x;
+  to.y = pose.y - poseOf(t, origin).y;
+  to.endX = to.x;
+  to.endY = to.y;
+  to.endC = to.c = pose.c;
+  to.endS = to.s = pose.s;
   if (!isMoving(t, body)) return;
   const state = stateOf(t, body);
   const dt = <real>t.dt;
@@ -126,8 +112,8 @@ function foresee(t: RigidTable, body: i32, row: i32, origin: i32): void {
   const s = <real>2 * half * scale;
   const armX = pose.x - poseOf(t, body).x;
   const armY = pose.y - poseOf(t, body).y;
-  end.x += dt * state.vx + (c * armX - s * armY) - armX;
-  end.y += dt * state.vy + (s * armX + c * armY) - armY;
-  end.c = pose.c * c - pose.s * s;
-  end.s = pose.s * c + pose.c * s;
+  to.endX += dt * state.vx + (c * armX - s * armY) - armX;
+  to.endY += dt * state.vy + (s * armX + c * armY) - armY;
+  to.endC = pose.c * c - pose.s * s;
+  to.endS = pose.s * c + pose.c * s;
 }

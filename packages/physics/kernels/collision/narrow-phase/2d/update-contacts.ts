@@ -244,7 +244,7 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.bs = b.s;
   contact.dx = m.bx;
   contact.dy = m.by;
-  // What was found ahead is found anew in the next step.
+  // A predicted manifold is computed again in the next step.
   if ((contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
   takePoints(t, contact, m);
