@@ -31,8 +31,12 @@ import { JointWork } from './joint-work';
 // Which part of the chord (x, y) there is in the velocity (vx, vy) of the anchors.
 // @ts-ignore: decorator
 @inline export function partOfChord(x: f64, y: f64, vx: f64, vy: f64): f64 {
-  const length = x * x + y * y;
-  const along = x * vx + y * vy;
+  return partOfLength(x * x + y * y, x * vx + y * vy);
+}
+
+// The same, from the squared length of the chord, and its dot product with the velocity.
+// @ts-ignore: decorator
+@inline export function partOfLength(length: f64, along: f64): f64 {
   if (!(along > 0)) return 0;
   return along < length ? along / length : 1;
 }

@@ -9,61 +9,119 @@
 // F is the impulse at the hinge: the body weighs K on its parent, of which u is the motion at this point. So a joint takes
 // one division. With the arm r of a body from its centre, the centre moves by u + ω s, s = (r_y, -r_x).
 // Source: Featherstone, Rigid Body Dynamics Algorithms (2008), section 7.3, with velocities in place of accelerations.
+import {
+  dot2,
+  loadReals,
+  minus,
+  plus,
+  storeReals,
+  times,
+  transformed,
+  turnedBy,
+  turnedLeft,
+  turnedRight,
+  xOf,
+  yOf,
+} from '../../math/vector-2d';
 import { BodyState, stateOf } from '../../solver/2d/body';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, ArticulatedMass, massBeside } from './articulated-body';
 import { jointed } from './brace-joints';
-import { bend, partOfChord } from './chords';
+import { bend, partOfLength } from './chords';
 import { JointTable } from './joint-table';
 import { HingeStart, JointPlace } from './joint-work';
-import { finite } from './joint-rows';
+import { finite, finiteVector } from './joint-rows';
 
 // A joint to what joints do not move is softer than rigid by this part, so that what is held from two sides has a solution. A
 // straight bridge of a hundred planks needs it: with less, blows of its load make it swing ever more.
 export const COMPLIANCE: f64 = 1e-4;
+
+// @ts-ignore: decorator
+@inline function movedBy(state: BodyState): v128 {
+  return loadReals(changetype<usize>(state) + offsetof<BodyState>('dx'));
+}
+
+// @ts-ignore: decorator
+@inline function turnOf(state: BodyState): v128 {
+  return loadReals(changetype<usize>(state) + offsetof<BodyState>('dc'));
+}
+
+// @ts-ignore: decorator
+@inline function velocityOf(state: BodyState): v128 {
+  return loadReals(changetype<usize>(state) + offsetof<BodyState>('vx'));
+}
+
+// @ts-ignore: decorator
+@inline function parentArm(at: JointPlace): v128 {
+  return v128.load(changetype<usize>(at), offsetof<JointPlace>('parentX'));
+}
+
+// @ts-ignore: decorator
+@inline function childArm(at: JointPlace): v128 {
+  return v128.load(changetype<usize>(at), offsetof<JointPlace>('childX'));
+}
+
+// K u
+// @ts-ignore: decorator
+@inline function weigh(at: JointPlace, u: v128): v128 {
+  const first = v128.load(changetype<usize>(at), offsetof<JointPlace>('k00'));
+  return transformed(first, v128.load(changetype<usize>(at), offsetof<JointPlace>('k01')), u);
+}
+
+// The velocity that the anchor of the child is to have from that of the parent.
+// @ts-ignore: decorator
+@inline function wanted(at: JointPlace, start: HingeStart, soft: bool): v128 {
+  return soft
+    ? v128.load(changetype<usize>(start), offsetof<HingeStart>('wantedX'))
+    : v128.load(changetype<usize>(at), offsetof<JointPlace>('chordX'));
+}
 
 // The anchors where the bodies are now; `softness` is that of joints.
 // @ts-ignore: decorator
 @inline export function measureHinge(rigid: RigidTable, at: JointPlace, start: HingeStart): void {
   const p = stateOf(rigid, at.parentRow);
   const c = stateOf(rigid, at.childRow);
-  const px = <f64>p.dc * start.parentX - <f64>p.ds * start.parentY;
-  const py = <f64>p.ds * start.parentX + <f64>p.dc * start.parentY;
-  const cx = <f64>c.dc * start.childX - <f64>c.ds * start.childY;
-  const cy = <f64>c.ds * start.childX + <f64>c.dc * start.childY;
-  at.parentX = px;
-  at.parentY = py;
-  at.childX = cx;
-  at.childY = cy;
-  measureChord(at, c, start);
-  const rate = softness.biasRate;
-  start.wantedX = at.chordX + rate * (start.x + (<f64>c.dx - <f64>p.dx) + cx - px);
-  start.wantedY = at.chordY + rate * (start.y + (<f64>c.dy - <f64>p.dy) + cy - py);
+  const from = changetype<usize>(start);
+  const parent = turnedBy(turnOf(p), v128.load(from, offsetof<HingeStart>('parentX')));
+  const child = turnedBy(turnOf(c), v128.load(from, offsetof<HingeStart>('childX')));
+  v128.store(changetype<usize>(at), parent, offsetof<JointPlace>('parentX'));
+  v128.store(changetype<usize>(at), child, offsetof<JointPlace>('childX'));
+  const chord = measureChord(at, c, start, parent, child);
+  v128.store(changetype<usize>(at), chord, offsetof<JointPlace>('chordX'));
+  const between = plus(v128.load(from, offsetof<HingeStart>('x')), minus(movedBy(c), movedBy(p)));
+  const gap = minus(plus(between, child), parent);
+  v128.store(from, plus(chord, times(softness.biasRate, gap)), offsetof<HingeStart>('wantedX'));
 }
 
 // @ts-ignore: decorator
-@inline function measureChord(at: JointPlace, child: BodyState, start: HingeStart): void {
+@inline function measureChord(
+  at: JointPlace,
+  state: BodyState,
+  start: HingeStart,
+  parent: v128,
+  child: v128,
+): v128 {
   const above = changetype<ArticulatedBody>(at.above);
-  let vx = <f64>child.vx;
-  let vy = <f64>child.vy;
-  let w = <f64>child.w;
+  let velocity = velocityOf(state);
+  let w = <f64>state.w;
   if (at.below != 0) {
-    const below = changetype<ArticulatedBody>(at.below);
-    vx = below.vx;
-    vy = below.vy;
-    w = below.w;
+    velocity = v128.load(at.below, offsetof<ArticulatedBody>('vx'));
+    w = changetype<ArticulatedBody>(at.below).w;
   }
   const bendParent = bend(above.w, start.halfStepParent);
   const bendChild = bend(w, start.halfStepChild);
-  const x = bendParent * at.parentX - bendChild * at.childX;
-  const y = bendParent * at.parentY - bendChild * at.childY;
-  const ux = vx - w * at.childY - (above.vx - above.w * at.parentY);
-  const uy = vy + w * at.childX - (above.vy + above.w * at.parentX);
-  const part = partOfChord(x, y, ux, uy);
-  at.chordX = part * x;
-  at.chordY = part * y;
+  const chord = minus(times(bendParent, parent), times(bendChild, child));
+  const speed = minus(plus(velocity, times(w, turnedLeft(child))), velocityAt(above, parent));
+  return times(partOfLength(dot2(chord, chord), dot2(chord, speed)), chord);
+}
+
+// The velocity of a point of a body.
+// @ts-ignore: decorator
+@inline function velocityAt(body: ArticulatedBody, arm: v128): v128 {
+  const velocity = v128.load(changetype<usize>(body), offsetof<ArticulatedBody>('vx'));
+  return plus(velocity, times(body.w, turnedLeft(arm)));
 }
 
 // From the ends of the tree: what the parent bears. With `factor`, also the matrices.
@@ -79,44 +137,39 @@ export const COMPLIANCE: f64 = 1e-4;
   if (at.below != 0) gatherChild(t, rigid, at, factor);
   else gatherEnd(rigid, at, factor);
   const to = changetype<ArticulatedBody>(at.above);
-  const x = -at.parentY;
-  const y = at.parentX;
-  const ux = soft ? start.wantedX : at.chordX;
-  const uy = soft ? start.wantedY : at.chordY;
+  const lever = turnedLeft(parentArm(at));
   if (factor) {
-    const wx = at.k00 * x + at.k01 * y;
-    const wy = at.k01 * x + at.k11 * y;
+    const weight = weigh(at, lever);
     const mass = massBeside(t, at.above);
     mass.m00 += at.k00;
     mass.m01 += at.k01;
     mass.m11 += at.k11;
-    mass.m02 += wx;
-    mass.m12 += wy;
-    mass.m22 += x * wx + y * wy;
+    mass.m02 += xOf(weight);
+    mass.m12 += yOf(weight);
+    mass.m22 += dot2(lever, weight);
   }
-  const gx = at.valueX + (at.k00 * ux + at.k01 * uy);
-  const gy = at.valueY + (at.k01 * ux + at.k11 * uy);
-  to.gx += gx;
-  to.gy += gy;
-  to.gw += x * gx + y * gy;
+  const value = v128.load(changetype<usize>(at), offsetof<JointPlace>('valueX'));
+  const momentum = plus(value, weigh(at, wanted(at, start, soft)));
+  const sum = plus(v128.load(at.above, offsetof<ArticulatedBody>('gx')), momentum);
+  v128.store(at.above, sum, offsetof<ArticulatedBody>('gx'));
+  to.gw += dot2(lever, momentum);
 }
 
 // @ts-ignore: decorator
 @inline function gatherChild(t: JointTable, rigid: RigidTable, at: JointPlace, factor: bool): void {
   const from = changetype<ArticulatedBody>(at.below);
   const state = stateOf(rigid, at.childRow);
-  const sx = at.childY;
-  const sy = -at.childX;
-  if (factor) factorChild(from, massBeside(t, at.below), at, sx, sy);
-  const gx = from.gx + from.mass * <f64>state.vx;
-  const gy = from.gy + from.mass * <f64>state.vy;
-  const torque = from.gw + from.inertia * <f64>state.w + sx * gx + sy * gy;
-  from.gx = 0;
-  from.gy = 0;
+  const lever = turnedRight(childArm(at));
+  if (factor) factorChild(from, massBeside(t, at.below), at, xOf(lever), yOf(lever));
+  const borne = v128.load(at.below, offsetof<ArticulatedBody>('gx'));
+  const momentum = plus(borne, times(from.mass, velocityOf(state)));
+  const parts = f64x2.mul(lever, momentum);
+  const torque = from.gw + from.inertia * <f64>state.w + xOf(parts) + yOf(parts);
+  v128.store(at.below, f64x2.splat(0), offsetof<ArticulatedBody>('gx'));
   from.gw = 0;
   at.turn = torque * at.inverse;
-  at.valueX = gx - torque * at.ratioX;
-  at.valueY = gy - torque * at.ratioY;
+  const ratio = v128.load(changetype<usize>(at), offsetof<JointPlace>('ratioX'));
+  v128.store(changetype<usize>(at), minus(momentum, times(torque, ratio)), offsetof<JointPlace>('valueX'));
 }
 
 // @ts-ignore: decorator
@@ -161,28 +214,25 @@ export const COMPLIANCE: f64 = 1e-4;
     at.k01 = -xy * k;
     at.k11 = xx * k;
   }
-  const ux = <f64>state.vx - <f64>state.w * at.childY;
-  const uy = <f64>state.vy + <f64>state.w * at.childX;
-  at.valueX = at.k00 * ux + at.k01 * uy;
-  at.valueY = at.k01 * ux + at.k11 * uy;
+  const velocity = plus(velocityOf(state), times(<f64>state.w, turnedLeft(childArm(at))));
+  v128.store(changetype<usize>(at), weigh(at, velocity), offsetof<JointPlace>('valueX'));
 }
 
 // From the root: the impulse of the hinge, and the velocity of the child.
 // @ts-ignore: decorator
 @inline export function exertHinge(rigid: RigidTable, at: JointPlace, start: HingeStart, soft: bool): void {
   const from = changetype<ArticulatedBody>(at.above);
-  const ux = from.vx - from.w * at.parentY - (soft ? start.wantedX : at.chordX);
-  const uy = from.vy + from.w * at.parentX - (soft ? start.wantedY : at.chordY);
-  const x = finite(at.k00 * ux + at.k01 * uy - at.valueX);
-  const y = finite(at.k01 * ux + at.k11 * uy - at.valueY);
-  at.impulseX = soft ? softness.massScale * x : at.impulseX + x;
-  at.impulseY = soft ? softness.massScale * y : at.impulseY + y;
+  const u = minus(velocityAt(from, parentArm(at)), wanted(at, start, soft));
+  const value = v128.load(changetype<usize>(at), offsetof<JointPlace>('valueX'));
+  const change = finiteVector(minus(weigh(at, u), value));
+  const before = v128.load(changetype<usize>(at), offsetof<JointPlace>('impulseX'));
+  const impulse = soft ? times(softness.massScale, change) : plus(before, change);
+  v128.store(changetype<usize>(at), impulse, offsetof<JointPlace>('impulseX'));
   if (at.below == 0) return;
   const body = changetype<ArticulatedBody>(at.below);
-  const w = at.turn - at.ratioX * ux - at.ratioY * uy;
+  const w = at.turn - at.ratioX * xOf(u) - at.ratioY * yOf(u);
   body.w = w;
-  body.vx = ux + w * at.childY;
-  body.vy = uy - w * at.childX;
+  v128.store(at.below, plus(u, times(w, turnedRight(childArm(at)))), offsetof<ArticulatedBody>('vx'));
   follow(stateOf(rigid, at.childRow), body, at.turns != 0);
 }
 
@@ -190,8 +240,10 @@ export const COMPLIANCE: f64 = 1e-4;
 // @ts-ignore: decorator
 @inline export function follow(state: BodyState, body: ArticulatedBody, turns: bool): void {
   const scale = softness.massScale;
-  state.vx = <real>(<f64>state.vx + scale * finite(body.vx - <f64>state.vx));
-  state.vy = <real>(<f64>state.vy + scale * finite(body.vy - <f64>state.vy));
+  const velocity = velocityOf(state);
+  const change = minus(v128.load(changetype<usize>(body), offsetof<ArticulatedBody>('vx')), velocity);
+  const followed = plus(velocity, times(scale, finiteVector(change)));
+  storeReals(changetype<usize>(state) + offsetof<BodyState>('vx'), followed);
   if (turns) state.w = <real>(<f64>state.w + scale * finite(body.w - <f64>state.w));
 }
 

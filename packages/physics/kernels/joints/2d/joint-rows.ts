@@ -56,5 +56,10 @@ const MAX_IMPULSE: f64 = 1e30;
 
 // @ts-ignore: decorator
 @inline export function finite(impulse: f64): f64 {
-  return impulse > -MAX_IMPULSE && impulse < MAX_IMPULSE ? impulse : 0;
+  return abs<f64>(impulse) < MAX_IMPULSE ? impulse : 0;
+}
+
+// @ts-ignore: decorator
+@inline export function finiteVector(impulse: v128): v128 {
+  return v128.and(impulse, f64x2.lt(f64x2.abs(impulse), f64x2.splat(MAX_IMPULSE)));
 }

@@ -1,6 +1,7 @@
 // Begins a sub-step of the joints: their directions now, and the impulses of the last sub-step. A tree gets the same velocities
 // whatever impulses it starts from (solve-locks.ts), so that its plain hinges begin without, and are measured when they are
 // solved, where nothing looks at the velocities before that: no axis of a joint, and no body with locked axes.
+import { clearRecord } from '../../memory/records';
 import { LOCKED, flagsOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { ARTICULATED_MASS_SIZE, articulated, massBeside, massOf } from './articulated-body';
@@ -32,8 +33,7 @@ export function clearMasses(t: JointTable, rigid: RigidTable): void {
   memory.fill(t.masses, 0, <usize>t.rootCount * ARTICULATED_MASS_SIZE);
   for (let k = 0; t.otherCount > 0 && k < t.treeCount; k++) {
     const at = placeAt(t, k);
-    if (at.hinge == 0 && at.below != 0)
-      memory.fill(changetype<usize>(massBeside(t, at.below)), 0, ARTICULATED_MASS_SIZE);
+    if (at.hinge == 0 && at.below != 0) clearRecord(changetype<usize>(massBeside(t, at.below)), ARTICULATED_MASS_SIZE);
   }
   if (rigid.lockedCount > 0) weighLocked(t, rigid);
 }

@@ -1,5 +1,6 @@
 // Begins a step: which rows are bodies of the solver, their poses, and their velocities, gathered from the columns.
 import { Columns, columns, get } from '../../memory/columns';
+import { clearRecord } from '../../memory/records';
 import { sineCosine } from '../../math/elementary';
 import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
@@ -175,7 +176,7 @@ function clearBox(t: RigidTable, row: i32): void {
 
 function rest(t: RigidTable, row: i32): void {
   const state = stateOf(t, row);
-  memory.fill(changetype<usize>(state), 0, 8 * sizeof<real>());
+  clearRecord(changetype<usize>(state), 8 * sizeof<real>());
   state.dc = 1;
 }
 

@@ -1,4 +1,5 @@
 // The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers.
+import { clearRecord } from '../../../memory/records';
 import { keyAt } from '../../broad-phase/2d/sort-keys';
 import { SENSOR, flagsOf, putWord, word } from '../../../solver/2d/body';
 import { bodyOf } from '../../../solver/2d/parts';
@@ -53,7 +54,7 @@ function dropKnown(t: RigidTable): i32 {
 function openContact(t: RigidTable, key: u64): i32 {
   const slot = word(t.free, --t.freeCount);
   const contact = contactAt(t, slot);
-  memory.fill(changetype<usize>(contact), 0, RIGID_CONTACT_SIZE);
+  clearRecord(changetype<usize>(contact), RIGID_CONTACT_SIZE);
   contact.a = <i32>(key >> 32);
   contact.b = <i32>key;
   contact.bodyA = bodyOf(t, contact.a);
