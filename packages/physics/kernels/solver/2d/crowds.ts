@@ -72,7 +72,16 @@ function isDeep(t: RigidTable, contact: RigidContact): bool {
   const point = deepest(contact);
   if ((contact.flags & IS_DEEP) != 0) return -point.separation > FLAT * extent;
   // Twice the way of a step, because contacts may have slowed the bodies since.
-  return -point.separation > max<real>(DEEP * extent, -2 * point.normalSpeed * <real>t.dt);
+  return -point.separation > max<real>(DEEP * extent, -2 * normalSpeed(t, contact, point) * <real>t.dt);
+}
+
+// The speed of b from a along the normal, m/s.
+function normalSpeed(t: RigidTable, contact: RigidContact, point: ContactPoint): real {
+  const a = stateOf(t, contact.bodyA);
+  const b = stateOf(t, contact.bodyB);
+  const x = b.vx - b.w * point.by - (a.vx - a.w * point.ay);
+  const y = b.vy + b.w * point.bx - (a.vy + a.w * point.ax);
+  return contact.nx * x + contact.ny * y;
 }
 
 // @ts-ignore: decorator

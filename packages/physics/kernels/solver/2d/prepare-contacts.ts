@@ -1,6 +1,6 @@
 // Fills the blocks of contacts for the sub-steps of a step, and empties them into the contacts afterwards.
-import { LANES } from '../../memory/lanes';
-import { get, put } from '../../memory/columns';
+import { LANES, add, at as laneOffset, div, mul, splat, sub } from '../../memory/lanes';
+import { clearRecord } from '../../memory/records';
 import {
   ContactPoint,
   FORESEEN,
@@ -13,6 +13,7 @@ import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word 
 import { layOutBlocks, takeLane } from './color-contacts';
 import * as block from './contact-block';
 import { noteDepth } from './crowds';
+import { lanesX, lanesY, lanesZ } from './gather-lanes';
 import { inverseMassAlong, inverseMassX, inverseMassY, openAxes } from './motion-locks';
 import { RigidTable } from './rigid-table';
 import { soften, softness } from './softness';
@@ -43,20 +44,22 @@ export function prepareContacts(table: usize): void {
   soften(2 * hertz, t.contactDampingRatio, t.h);
   for (let i = 0; i < t.touchingCount; i++) {
     const slot = word(t.touching, 2 * i);
-    const lane = takeLane(t, word(t.touching, 2 * i + 1));
-    const at = block.blockOf(t, lane / LANES);
-    const l = lane & (LANES - 1);
+    const place = takeLane(t, word(t.touching, 2 * i + 1));
+    const at = block.blockOf(t, place / LANES);
+    const l = place & (LANES - 1);
     if (l == 0) clearBlock(t, at);
+    const lane = at + laneOffset(l);
     const contact = contactAt(t, slot);
     putWord(at + block.SLOT, l, slot);
     const single = isUneven(poseOf(t, contact.bodyA).inverseMass, poseOf(t, contact.bodyB).inverseMass);
-    put(at + block.BIAS_RATE, l, single ? <real>(softness.biasRate * softness.massScale) : biasRate);
-    put(at + block.MASS_SCALE, l, single ? <real>softness.massScale : massScale);
-    put(at + block.IMPULSE_SCALE, l, single ? <real>softness.impulseScale : impulseScale);
+    store<real>(lane, single ? <real>(softness.biasRate * softness.massScale) : biasRate, block.BIAS_RATE);
+    store<real>(lane, single ? <real>softness.massScale : massScale, block.MASS_SCALE);
+    store<real>(lane, single ? <real>softness.impulseScale : impulseScale, block.IMPULSE_SCALE);
     fillBodies(t, contact, at, l);
-    for (let p = 0; p < contact.count; p++) fillPoint(t, contact, at, l, p);
+    for (let p = 0; p < contact.count; p++) fillPoint(t, contact, lane, p);
     noteDepth(t, contact);
   }
+  for (let i = 0; i < t.blockCount; i++) finishBlock(t, block.blockOf(t, i));
 }
 
 // Whether one of two bodies is much heavier than the other, or does not move at all.
@@ -70,7 +73,7 @@ export function prepareContacts(table: usize): void {
 // Lanes without a contact act on row 0 with no mass.
 // @ts-ignore: decorator
 @inline function clearBlock(t: RigidTable, at: usize): void {
-  memory.fill(at, 0, block.CONTACT_BLOCK);
+  clearRecord(at, block.CONTACT_BLOCK);
   const none = i32x4.splat(<i32>t.states);
   v128.store(at + block.A, none);
   v128.store(at + block.B, none);
@@ -90,44 +93,26 @@ export function prepareContacts(table: usize): void {
 
 // @ts-ignore: decorator
 @inline function fillBodies(t: RigidTable, contact: RigidContact, at: usize, l: i32): void {
+  const lane = at + laneOffset(l);
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
   putWord(at + block.A, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.bodyA))));
   putWord(at + block.B, l, <i32>changetype<usize>(stateOf(t, solverRow(t, contact.bodyB))));
-  put(at + block.MASS_AX, l, inverseMassX(t, contact.bodyA));
-  put(at + block.MASS_AY, l, inverseMassY(t, contact.bodyA));
-  put(at + block.INERTIA_A, l, a.inverseInertia);
-  put(at + block.MASS_BX, l, inverseMassX(t, contact.bodyB));
-  put(at + block.MASS_BY, l, inverseMassY(t, contact.bodyB));
-  put(at + block.INERTIA_B, l, b.inverseInertia);
-  put(at + block.NX, l, contact.nx);
-  put(at + block.NY, l, contact.ny);
-  put(at + block.FRICTION, l, contact.friction);
-  put(at + block.TANGENT_SPEED, l, contact.tangentSpeed);
-  put(at + block.ROLLING, l, contact.rollingResistance);
-  const turning = a.inverseInertia + b.inverseInertia;
-  put(at + block.ROLLING_MASS, l, turning > 0 ? <real>1 / turning : <real>0);
-  put(at + block.ROLLING_IMPULSE, l, contact.rollingImpulse);
-  put(at + block.RESTITUTION, l, contact.restitution);
-  put(at + block.ROUNDING_A, l, roundingAt(t, contact.a));
-  put(at + block.ROUNDING_B, l, roundingAt(t, contact.b));
-}
-
-// @ts-ignore: decorator
-@inline function fillAnchors(point: ContactPoint, half: real, at: usize, l: i32, to: usize): void {
-  const nx = get(at + block.NX, l);
-  const ny = get(at + block.NY, l);
-  const roundingA = half + get(at + block.ROUNDING_A, l);
-  const roundingB = half + get(at + block.ROUNDING_B, l);
-  const ax = point.ax - roundingA * nx;
-  const ay = point.ay - roundingA * ny;
-  const bx = point.bx + roundingB * nx;
-  const by = point.by + roundingB * ny;
-  put(to + block.AX, l, ax);
-  put(to + block.AY, l, ay);
-  put(to + block.BX, l, bx);
-  put(to + block.BY, l, by);
-  put(to + block.SEPARATION, l, point.separation - (nx * (bx - ax) + ny * (by - ay)));
+  store<real>(lane, inverseMassX(t, contact.bodyA), block.MASS_AX);
+  store<real>(lane, inverseMassY(t, contact.bodyA), block.MASS_AY);
+  store<real>(lane, a.inverseInertia, block.INERTIA_A);
+  store<real>(lane, inverseMassX(t, contact.bodyB), block.MASS_BX);
+  store<real>(lane, inverseMassY(t, contact.bodyB), block.MASS_BY);
+  store<real>(lane, b.inverseInertia, block.INERTIA_B);
+  store<real>(lane, contact.nx, block.NX);
+  store<real>(lane, contact.ny, block.NY);
+  store<real>(lane, contact.friction, block.FRICTION);
+  store<real>(lane, contact.tangentSpeed, block.TANGENT_SPEED);
+  store<real>(lane, contact.rollingResistance, block.ROLLING);
+  store<real>(lane, contact.rollingImpulse, block.ROLLING_IMPULSE);
+  store<real>(lane, contact.restitution, block.RESTITUTION);
+  store<real>(lane, roundingAt(t, contact.a), block.ROUNDING_A);
+  store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
 }
 
 // The least inverse mass along a direction where no body is free to move along all: a part of what they have along the axes
@@ -140,20 +125,23 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   return YIELD * (a.inverseInertia * a.extent * a.extent + b.inverseInertia * b.extent * b.extent);
 }
 
+// The arms of a point, and for the time being inverse masses without turning.
 // @ts-ignore: decorator
-@inline function fillPoint(t: RigidTable, contact: RigidContact, at: usize, l: i32, p: i32): void {
+@inline function fillPoint(t: RigidTable, contact: RigidContact, lane: usize, p: i32): void {
   const point = pointOf(contact, p);
-  const to = at + block.POINTS + <usize>p * block.POINT;
+  const to = lane + block.POINTS + <usize>p * block.POINT;
   const nx = contact.nx;
   const ny = contact.ny;
   // Points are half-way between the surfaces. What the bodies exert on each other acts where these meet, or angular momentum would
   // not be conserved. The points of a predicted contact are there already.
   const half = (contact.flags & FORESEEN) != 0 ? <real>0 : <real>0.5 * max<real>(0, point.separation);
-  const ax = point.ax - half * nx;
-  const ay = point.ay - half * ny;
-  const bx = point.bx + half * nx;
-  const by = point.by + half * ny;
-  fillAnchors(point, half, at, l, to);
+  store<real>(to, point.ax - half * nx, block.AX);
+  store<real>(to, point.ay - half * ny, block.AY);
+  store<real>(to, point.bx + half * nx, block.BX);
+  store<real>(to, point.by + half * ny, block.BY);
+  store<real>(to, point.separation, block.SEPARATION);
+  store<real>(to, point.normalImpulse, block.NORMAL_IMPULSE);
+  store<real>(to, point.tangentImpulse, block.TANGENT_IMPULSE);
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
   let normalMass = a.inverseMass + b.inverseMass;
@@ -165,44 +153,92 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
     normalMass = max<real>(normalMass, least);
     tangentMass = max<real>(tangentMass, least);
   }
-  const normalA = ax * ny - ay * nx;
-  const normalB = bx * ny - by * nx;
-  // The tangent is the normal turned to the right: (ny, -nx).
-  const tangentA = ax * nx + ay * ny;
-  const tangentB = bx * nx + by * ny;
-  const normal = normalMass + a.inverseInertia * normalA * normalA + b.inverseInertia * normalB * normalB;
-  const tangent = tangentMass + a.inverseInertia * tangentA * tangentA + b.inverseInertia * tangentB * tangentB;
-  put(to + block.NORMAL_MASS, l, normal > 0 ? <real>1 / normal : <real>0);
-  put(to + block.TANGENT_MASS, l, tangent > 0 ? <real>1 / tangent : <real>0);
-  put(to + block.NORMAL_IMPULSE, l, point.normalImpulse);
-  put(to + block.TANGENT_IMPULSE, l, point.tangentImpulse);
-  const sa = stateOf(t, solverRow(t, contact.bodyA));
-  const sb = stateOf(t, solverRow(t, contact.bodyB));
-  const vx = sb.vx - sb.w * by - (sa.vx - sa.w * ay);
-  const vy = sb.vy + sb.w * bx - (sa.vy + sa.w * ax);
-  point.normalSpeed = nx * vx + ny * vy;
-  put(to + block.NORMAL_SPEED, l, point.normalSpeed);
-  if (p == 1 && point.normalSpeed < -block.HIT_SPEED) t.hitCount++;
+  store<real>(to, normalMass, block.NORMAL_MASS);
+  store<real>(to, tangentMass, block.TANGENT_MASS);
 }
 
-// Keeps the impulses for the next step, and for who asks about this one.
+// Computes what follows from the numbers of a block for all of its contacts at once.
+// @ts-ignore: decorator
+@inline function finishBlock(t: RigidTable, at: usize): void {
+  const turning = add(v128.load(at, block.INERTIA_A), v128.load(at, block.INERTIA_B));
+  v128.store(at, reciprocal(turning), block.ROLLING_MASS);
+  finishPoint(at, at + block.POINTS);
+  finishPoint(at, at + block.POINTS + block.POINT);
+  const speed = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
+  if (v128.any_true(v128.lt<real>(speed, splat(-block.HIT_SPEED)))) t.hitCount++;
+}
+
+// @ts-ignore: decorator
+@inline function finishPoint(at: usize, p: usize): void {
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+  const ax = v128.load(p, block.AX);
+  const ay = v128.load(p, block.AY);
+  const bx = v128.load(p, block.BX);
+  const by = v128.load(p, block.BY);
+  // The tangent is the normal turned to the right: (ny, -nx).
+  const normalA = sub(mul(ax, ny), mul(ay, nx));
+  const normalB = sub(mul(bx, ny), mul(by, nx));
+  const tangentA = add(mul(ax, nx), mul(ay, ny));
+  const tangentB = add(mul(bx, nx), mul(by, ny));
+  const normal = withTurning(at, v128.load(p, block.NORMAL_MASS), normalA, normalB);
+  v128.store(p, reciprocal(normal), block.NORMAL_MASS);
+  v128.store(p, reciprocal(withTurning(at, v128.load(p, block.TANGENT_MASS), tangentA, tangentB)), block.TANGENT_MASS);
+  const a = at + block.A;
+  const b = at + block.B;
+  const vx = sub(sub(lanesX(b, 0), mul(lanesZ(b, 0), by)), sub(lanesX(a, 0), mul(lanesZ(a, 0), ay)));
+  const vy = sub(add(lanesY(b, 0), mul(lanesZ(b, 0), bx)), add(lanesY(a, 0), mul(lanesZ(a, 0), ax)));
+  // A contact with one point has nothing at the second.
+  const exists = v128.gt<real>(normal, splat(0));
+  v128.store(p, v128.and(add(mul(nx, vx), mul(ny, vy)), exists), block.NORMAL_SPEED);
+  const roundingA = v128.load(at, block.ROUNDING_A);
+  const roundingB = v128.load(at, block.ROUNDING_B);
+  const anchorAX = sub(ax, mul(roundingA, nx));
+  const anchorAY = sub(ay, mul(roundingA, ny));
+  const anchorBX = add(bx, mul(roundingB, nx));
+  const anchorBY = add(by, mul(roundingB, ny));
+  v128.store(p, anchorAX, block.AX);
+  v128.store(p, anchorAY, block.AY);
+  v128.store(p, anchorBX, block.BX);
+  v128.store(p, anchorBY, block.BY);
+  const between = add(mul(nx, sub(anchorBX, anchorAX)), mul(ny, sub(anchorBY, anchorAY)));
+  v128.store(p, sub(v128.load(p, block.SEPARATION), between), block.SEPARATION);
+}
+
+// Adds what bodies that turn yield at the levers of an impulse to an inverse mass.
+// @ts-ignore: decorator
+@inline function withTurning(at: usize, inverseMass: v128, leverA: v128, leverB: v128): v128 {
+  const turnA = mul(mul(v128.load(at, block.INERTIA_A), leverA), leverA);
+  const turnB = mul(mul(v128.load(at, block.INERTIA_B), leverB), leverB);
+  return add(add(inverseMass, turnA), turnB);
+}
+
+// Of 0, 0.
+// @ts-ignore: decorator
+@inline function reciprocal(value: v128): v128 {
+  return v128.and(div(splat(1), value), v128.gt<real>(value, splat(0)));
+}
+
+// Keeps the impulses for the next step, and impulses and speeds for who asks about this one.
 export function storeImpulses(table: usize): void {
   const t = changetype<RigidTable>(table);
   layOutBlocks(t);
   for (let i = 0; i < t.touchingCount; i++) {
-    const lane = takeLane(t, word(t.touching, 2 * i + 1));
-    storeContact(contactAt(t, word(t.touching, 2 * i)), block.blockOf(t, lane / LANES), lane & (LANES - 1));
+    const place = takeLane(t, word(t.touching, 2 * i + 1));
+    const lane = block.blockOf(t, place / LANES) + laneOffset(place & (LANES - 1));
+    storeContact(contactAt(t, word(t.touching, 2 * i)), lane);
   }
 }
 
 // @ts-ignore: decorator
-@inline function storeContact(contact: RigidContact, at: usize, l: i32): void {
-  contact.rollingImpulse = get(at + block.ROLLING_IMPULSE, l);
+@inline function storeContact(contact: RigidContact, lane: usize): void {
+  contact.rollingImpulse = load<real>(lane, block.ROLLING_IMPULSE);
   for (let p = 0; p < contact.count; p++) {
     const point = pointOf(contact, p);
-    const from = at + block.POINTS + <usize>p * block.POINT;
-    point.normalImpulse = get(from + block.NORMAL_IMPULSE, l);
-    point.tangentImpulse = get(from + block.TANGENT_IMPULSE, l);
-    point.totalImpulse = get(from + block.TOTAL_IMPULSE, l);
+    const from = lane + block.POINTS + <usize>p * block.POINT;
+    point.normalImpulse = load<real>(from, block.NORMAL_IMPULSE);
+    point.tangentImpulse = load<real>(from, block.TANGENT_IMPULSE);
+    point.totalImpulse = load<real>(from, block.TOTAL_IMPULSE);
+    point.normalSpeed = load<real>(from, block.NORMAL_SPEED);
   }
 }

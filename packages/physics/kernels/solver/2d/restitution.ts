@@ -4,7 +4,7 @@
 //
 // Where both points of a contact were hit, their impulses P solve K (P - P_old) = -(v + e u) together. One after the other
 // would be unequal although the points are alike: a box that falls flat would bounce askew, and lose energy.
-import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { ContactPoint, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get, put } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
 import { BodyState, MOVES, flagsOf, word } from './body';
@@ -34,8 +34,8 @@ function bounce(t: RigidTable, at: usize, l: i32, restitution: real): void {
   if (!isFirstHit && !isSecondHit) return;
   const contact = contactAt(t, word(at + block.SLOT, l));
   const away = accelerationOf(t, contact);
-  const firstSpeed = -restitution * impactSpeed(contact, 0, away);
-  const secondSpeed = contact.count > 1 ? -restitution * impactSpeed(contact, 1, away) : <real>0;
+  const firstSpeed = -restitution * impactSpeed(first, l, pointOf(contact, 0), away);
+  const secondSpeed = contact.count > 1 ? -restitution * impactSpeed(second, l, pointOf(contact, 1), away) : <real>0;
   if (isFirstHit && isSecondHit && bounceTogether(at, first, second, l, firstSpeed, secondSpeed)) return;
   if (isFirstHit) bounceAlone(at, first, l, firstSpeed);
   if (isSecondHit) bounceAlone(at, second, l, secondSpeed);
@@ -59,9 +59,8 @@ function accelerationAlong(t: RigidTable, row: i32, contact: RigidContact): real
 }
 
 // The speed along the normal with which the surfaces meet at a point, below 0, m/s.
-function impactSpeed(contact: RigidContact, i: i32, acceleration: real): real {
-  const point = pointOf(contact, i);
-  const speed = point.normalSpeed;
+function impactSpeed(p: usize, l: i32, point: ContactPoint, acceleration: real): real {
+  const speed = get(p + block.NORMAL_SPEED, l);
   const gained = <real>-2 * acceleration * max<real>(0, point.separation);
   return -sqrt<real>(max<real>(0, speed * speed + gained));
 }

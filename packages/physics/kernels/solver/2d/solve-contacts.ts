@@ -45,7 +45,6 @@ export function warmStartContacts(table: usize): void {
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     const tangent = v128.load(p, block.TANGENT_IMPULSE);
-    v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), normal), block.TOTAL_IMPULSE);
     const x = add(mul(normal, nx), mul(tangent, ny));
     const y = sub(mul(normal, ny), mul(tangent, nx));
     px = add(px, x);
@@ -75,7 +74,7 @@ export function solveContacts(table: usize): void {
   const inverseH = splat(<real>(1 / t.h));
   const speed = splat(<real>-t.contactSpeed);
   const all = i32x4.splat(-1);
-  for (let i = 0; i < t.blockCount; i++) solveBlock(block.blockOf(t, i), inverseH, speed, true, all);
+  for (let i = 0; i < t.blockCount; i++) solveBlock(block.blockOf(t, i), inverseH, speed, true, all, all);
 }
 
 // Rigidly and without pushing, with friction.
@@ -83,11 +82,12 @@ export function relaxContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   const inverseH = splat(<real>(1 / t.h));
   const all = i32x4.splat(-1);
-  for (let i = 0; i < t.blockCount; i++) relaxBlock(block.blockOf(t, i), inverseH, all);
+  const none = i32x4.splat(0);
+  for (let i = 0; i < t.blockCount; i++) relaxBlock(block.blockOf(t, i), inverseH, all, none);
   for (let pass = 0; t.hitCount > 0 && pass < HIT_PASSES; pass++) {
     for (let i = 0; i < t.blockCount; i++) {
       const hit = hitLanes(block.blockOf(t, i));
-      if (v128.any_true(hit)) relaxBlock(block.blockOf(t, i), inverseH, hit);
+      if (v128.any_true(hit)) relaxBlock(block.blockOf(t, i), inverseH, hit, all);
     }
   }
 }
@@ -96,8 +96,8 @@ export function relaxContacts(table: usize): void {
 // the load of the points, which changes friction. Resting contacts converge over the next sub-steps; an impact has only this one.
 const HIT_PASSES: i32 = 3;
 
-function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
-  solveBlock(at, inverseH, inverseH, false, lanes);
+function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
+  solveBlock(at, inverseH, inverseH, false, lanes, again);
 }
 
 // The contacts of a block whose second point is hit. The others must not notice: which share a block depends on all bodies.
@@ -107,9 +107,10 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
   return v128.lt<real>(speed, splat(-block.HIT_SPEED));
 }
 
-// The normals, and when relaxing friction, of those contacts of a block whose lane is set.
+// The normals, and when relaxing friction, of those contacts of a block whose lane is set. The impulses with which a sub-step
+// ends are those that act in it, and count once: with `again` what they change by.
 // @ts-ignore: decorator
-@inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128): void {
+@inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128, again: v128): void {
   const zero = splat(0);
   const a = at + block.A;
   const b = at + block.B;
@@ -161,7 +162,10 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128): void {
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
     const delta = sub(impulse, old);
-    v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), delta), block.TOTAL_IMPULSE);
+    if (!soft) {
+      const counted = sub(impulse, v128.and(old, again));
+      v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), counted), block.TOTAL_IMPULSE);
+    }
     const px = mul(delta, nx);
     const py = mul(delta, ny);
     vxA = sub(vxA, mul(mxA, px));
