@@ -65,25 +65,35 @@ const STATE: Readonly<Record<string, readonly ComponentName[]>> = {
   rotate: ['Rotation', 'Orientation'],
 };
 
+type Motion = Pick<Law, 'force' | 'acceleration' | 'torque'>;
+
 /** Returns the components whose columns the expressions of a law read. */
-export function columnsRead(law: Pick<Law, 'force' | 'acceleration' | 'torque'>): ComponentName[] {
+export function columnsRead(law: Motion): ComponentName[] {
   const names = new Set<ComponentName>();
-  const seen = new Set<Expression>();
+  for (const { op, data } of expressionsOf(law)) {
+    for (const name of STATE[op] ?? []) names.add(name);
+    if (op !== 'column') continue;
+    const { component } = data as ColumnData;
+    if (typeof component === 'string') names.add(component);
+  }
+  if (law.acceleration !== undefined) names.add('Mass');
+  return [...names];
+}
+
+/** Returns whether the expressions of a law read the time. */
+export function readsTime(law: Motion): boolean {
+  for (const { op } of expressionsOf(law)) if (op === 'time') return true;
+  return false;
+}
+
+/** The expressions of a law and all that they are made of, without that of its potential. */
+function expressionsOf({ force, acceleration, torque }: Motion): Set<Expression> {
+  const found = new Set<Expression>();
   const visit = (expression: Expression) => {
-    if (seen.has(expression)) return;
-    seen.add(expression);
-    for (const name of STATE[expression.op] ?? []) names.add(name);
-    if (expression.op === 'column') {
-      const { component } = expression.data as ColumnData;
-      if (typeof component === 'string') names.add(component);
-    }
+    if (found.has(expression)) return;
+    found.add(expression);
     expression.args.forEach(visit);
   };
-  for (const name of ['force', 'acceleration', 'torque'] as const) {
-    const expression: Expression | undefined = law[name];
-    if (expression === undefined) continue;
-    visit(expression);
-    if (name === 'acceleration') names.add('Mass');
-  }
-  return [...names];
+  for (const each of [force, acceleration, torque]) if (each !== undefined) visit(each);
+  return found;
 }

@@ -1,18 +1,19 @@
 // Rigid bodies in soft steps: contacts and joints are damped springs, solved implicitly in sub-steps.
 //
 //   once a step      broad phase, narrow phase, prepare                   kernels/collision, kernels/solver/2d
-//   in a sub-step    forces; velocities; warm start; solve; positions; relax; crowds are kept from bursting (crowds.ts)
+//   in a sub-step    forces that change; velocities; warm start; solve; positions; relax; crowds are kept from bursting (crowds.ts)
 //   once a step      restitution, impulses kept for the next step
 //
-// Forces are those of the world, evaluated in every sub-step, so that drag, wind and springs act on rigid bodies, with their
-// torque. Momentum is conserved to rounding. Contacts are rigid when relaxed, and soft only where they push overlap out, so
-// that stacks stand without jitter; the residual overlap is a fraction of the slop of 5 mm.
+// Forces are those of the world, evaluated in every sub-step if they depend on motion or time, so that drag, wind and springs act
+// on rigid bodies, with their torque. Momentum is conserved to rounding. Contacts are rigid when relaxed, and soft only where
+// they push overlap out, so that stacks stand without jitter; the residual overlap is a fraction of the slop of 5 mm.
 //
 // First order. Sources: Catto, Solver2D (2024), box2d.org/posts/2024/02/solver2d, and Box2D 3, whose defaults these are;
 // Macklin et al.: Small Steps in Physics Simulation (SCA 2019).
 
 import { rigidKernels } from '../collision/kernels.ts';
 import { anyForceAppliesTorque } from '../dynamics/evaluate-forces.ts';
+import { areForcesSteady } from '../dynamics/steady-forces.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkKeys, checkNumber } from '../errors/validate.ts';
 import { breakJoints } from '../joints/create-joint.ts';
@@ -160,8 +161,9 @@ function advance(
   kernels.colorContacts(at);
   kernels.prepareContacts(at);
   const crowded = kernels.findCrowds(at) > 0;
+  const isSteady = areForcesSteady(world);
   for (let s = 0; s < substeps; s++) {
-    evaluateForces(world, ranges, world.time + s * h);
+    if (s === 0 || !isSteady) evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
     if (crowded) kernels.measureCrowds(at);
     if (joints !== 0) kernels.startJoints(joints);
@@ -176,7 +178,7 @@ function advance(
     kernels.relaxContacts(at);
     kernels.holdLocked(at);
     if (crowded) kernels.limitCrowdEnergies(at);
-    kernels.writeBodies(at);
+    if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
   }
   kernels.applyRestitution(at);
   kernels.holdLocked(at);
