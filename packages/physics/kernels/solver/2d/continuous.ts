@@ -4,11 +4,10 @@
 // body. The contact there is found in the next step.
 //
 // Source: the bounds are those of Box2D 3 (solver.c).
-import { sineCosine } from '../../math/elementary';
 import { COLLIDES, COMPOUND, DYNAMIC, FAST, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
 import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
 import { SAFE_PATH, findImpact, impact } from './first-impact';
-import { setRotation } from './integrate-bodies';
+import { turnState } from './integrate-bodies';
 import { passSensors } from './pass-sensors';
 import { longestPath, pathOf } from './paths';
 import { RigidTable } from './rigid-table';
@@ -75,7 +74,5 @@ function moveBack(t: RigidTable, row: i32, fraction: real): void {
   state.dx *= fraction;
   state.dy *= fraction;
   state.turned *= fraction;
-  setRotation(state.turned);
-  state.dc = <real>sineCosine.cosine;
-  state.ds = <real>sineCosine.sine;
+  turnState(state);
 }

@@ -3,7 +3,8 @@
 //   v += h F/m      ω += h τ/I      then, when contacts and joints have changed both,      x += h v      θ += h ω
 import { columns, get, put } from '../../memory/columns';
 import { computeSineCosine, sineCosine } from '../../math/elementary';
-import { DYNAMIC, ROUND, flagsOf, poseOf, stateOf, word } from './body';
+import { minus, storeReals, vector } from '../../math/vector-2d';
+import { BodyState, DYNAMIC, ROUND, flagsOf, poseOf, stateOf, word } from './body';
 import { RigidTable } from './rigid-table';
 
 // Applies the forces of the last evaluation.
@@ -42,21 +43,32 @@ export function integratePositions(table: usize): void {
     state.dy += h * state.vy;
     if (state.w == 0 && state.turned == 0) continue;
     state.turned += h * state.w;
-    setRotation(state.turned);
-    state.dc = <real>sineCosine.cosine;
-    state.ds = <real>sineCosine.sine;
+    turnState(state);
   }
 }
 
-// Cosine and sine of the angle turned within a step. Below 1/4 rad, 900 rpm at 60 steps a second, Taylor's series are exact
-// to 2e-10.
+// Sets the cosine and sine of the angle that a body has turned by within a step. Below 1/4 rad, 900 rpm at 60 steps a second, Taylor's
+// series are exact to 2e-10.
 // @ts-ignore: decorator
-@inline export function setRotation(angle: real): void {
-  const a = <f64>angle;
-  if (abs<f64>(a) > 0.25) return abs<f64>(a) < 1e6 ? computeSineCosine(a) : computeSineCosine(0);
-  const z = a * a;
-  sineCosine.sine = a * (1 - z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040))));
-  sineCosine.cosine = 1 - z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+@inline export function turnState(state: BodyState): void {
+  const angle = <f64>state.turned;
+  const isFar = abs<f64>(angle) > 0.25;
+  storeReals(changetype<usize>(state) + offsetof<BodyState>('dc'), isFar ? exactly(angle) : bySeries(angle));
+}
+
+//   cos a = 1 - z (1/2 - z (1/24 - z/720))        sin a = a (1 - z (1/6 - z (1/120 - z/5040)))        z = a²
+// @ts-ignore: decorator
+@inline function bySeries(angle: f64): v128 {
+  const z = f64x2.splat(angle * angle);
+  let series = minus(f64x2(1.0 / 24, 1.0 / 120), f64x2.mul(z, f64x2(1.0 / 720, 1.0 / 5040)));
+  series = minus(f64x2(0.5, 1.0 / 6), f64x2.mul(z, series));
+  series = minus(f64x2.splat(1), f64x2.mul(z, series));
+  return f64x2.mul(vector(1, angle), series);
+}
+
+function exactly(angle: f64): v128 {
+  computeSineCosine(abs<f64>(angle) < 1e6 ? angle : 0);
+  return vector(sineCosine.cosine, sineCosine.sine);
 }
 
 // Writes poses and velocities to the columns: for laws that read them in the next sub-step, and at the end.
