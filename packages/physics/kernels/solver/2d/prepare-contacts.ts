@@ -176,21 +176,26 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   const ay = v128.load(p, block.AY);
   const bx = v128.load(p, block.BX);
   const by = v128.load(p, block.BY);
-  // The tangent is the normal turned to the right: (ny, -nx).
   const normalA = sub(mul(ax, ny), mul(ay, nx));
   const normalB = sub(mul(bx, ny), mul(by, nx));
-  const tangentA = add(mul(ax, nx), mul(ay, ny));
-  const tangentB = add(mul(bx, nx), mul(by, ny));
+  // The tangent is the normal turned to the right: (ny, -nx).
+  const tangentA = v128.neg<real>(add(mul(ax, nx), mul(ay, ny)));
+  const tangentB = v128.neg<real>(add(mul(bx, nx), mul(by, ny)));
+  v128.store(p, normalA, block.NORMAL_LEVER_A);
+  v128.store(p, normalB, block.NORMAL_LEVER_B);
+  v128.store(p, tangentA, block.TANGENT_LEVER_A);
+  v128.store(p, tangentB, block.TANGENT_LEVER_B);
   const normal = withTurning(at, v128.load(p, block.NORMAL_MASS), normalA, normalB);
   v128.store(p, reciprocal(normal), block.NORMAL_MASS);
   v128.store(p, reciprocal(withTurning(at, v128.load(p, block.TANGENT_MASS), tangentA, tangentB)), block.TANGENT_MASS);
   const a = at + block.A;
   const b = at + block.B;
-  const vx = sub(sub(lanesX(b, 0), mul(lanesZ(b, 0), by)), sub(lanesX(a, 0), mul(lanesZ(a, 0), ay)));
-  const vy = sub(add(lanesY(b, 0), mul(lanesZ(b, 0), bx)), add(lanesY(a, 0), mul(lanesZ(a, 0), ax)));
+  const vx = sub(lanesX(b, 0), lanesX(a, 0));
+  const vy = sub(lanesY(b, 0), lanesY(a, 0));
+  const turning = sub(mul(lanesZ(b, 0), normalB), mul(lanesZ(a, 0), normalA));
   // A contact with one point has nothing at the second.
   const exists = v128.gt<real>(normal, splat(0));
-  v128.store(p, v128.and(add(mul(nx, vx), mul(ny, vy)), exists), block.NORMAL_SPEED);
+  v128.store(p, v128.and(add(add(mul(nx, vx), mul(ny, vy)), turning), exists), block.NORMAL_SPEED);
   const roundingA = v128.load(at, block.ROUNDING_A);
   const roundingB = v128.load(at, block.ROUNDING_B);
   const anchorAX = sub(ax, mul(roundingA, nx));

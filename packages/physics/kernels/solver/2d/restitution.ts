@@ -87,20 +87,12 @@ function bounceTogether(at: usize, p: usize, q: usize, l: i32, wantedP: real, wa
   return true;
 }
 
-function leverOf(at: usize, x: real, y: real, l: i32): real {
-  return x * get(at + block.NY, l) - y * get(at + block.NX, l);
-}
-
 // The speed that an impulse of 1 N s at one of two points gives the other, along the normal.
 function coupling(at: usize, p: usize, q: usize, l: i32): real {
   const nx = get(at + block.NX, l);
   const ny = get(at + block.NY, l);
-  const leversA =
-    leverOf(at, get(p + block.AX, l), get(p + block.AY, l), l) *
-    leverOf(at, get(q + block.AX, l), get(q + block.AY, l), l);
-  const leversB =
-    leverOf(at, get(p + block.BX, l), get(p + block.BY, l), l) *
-    leverOf(at, get(q + block.BX, l), get(q + block.BY, l), l);
+  const leversA = get(p + block.NORMAL_LEVER_A, l) * get(q + block.NORMAL_LEVER_A, l);
+  const leversB = get(p + block.NORMAL_LEVER_B, l) * get(q + block.NORMAL_LEVER_B, l);
   const x = get(at + block.MASS_AX, l) + get(at + block.MASS_BX, l);
   const y = get(at + block.MASS_AY, l) + get(at + block.MASS_BY, l);
   return x * nx * nx + y * ny * ny + get(at + block.INERTIA_A, l) * leversA + get(at + block.INERTIA_B, l) * leversB;
@@ -110,9 +102,8 @@ function coupling(at: usize, p: usize, q: usize, l: i32): real {
 function missingSpeed(at: usize, p: usize, l: i32, wanted: real): real {
   const a = changetype<BodyState>(<usize>word(at + block.A, l));
   const b = changetype<BodyState>(<usize>word(at + block.B, l));
-  const vx = b.vx - b.w * get(p + block.BY, l) - (a.vx - a.w * get(p + block.AY, l));
-  const vy = b.vy + b.w * get(p + block.BX, l) - (a.vy + a.w * get(p + block.AX, l));
-  return wanted - (get(at + block.NX, l) * vx + get(at + block.NY, l) * vy);
+  const turning = b.w * get(p + block.NORMAL_LEVER_B, l) - a.w * get(p + block.NORMAL_LEVER_A, l);
+  return wanted - (get(at + block.NX, l) * (b.vx - a.vx) + get(at + block.NY, l) * (b.vy - a.vy) + turning);
 }
 
 function setImpulse(at: usize, p: usize, l: i32, wanted: real): void {
@@ -126,8 +117,8 @@ function setImpulse(at: usize, p: usize, l: i32, wanted: real): void {
   put(p + block.TOTAL_IMPULSE, l, get(p + block.TOTAL_IMPULSE, l) + delta);
   a.vx -= get(at + block.MASS_AX, l) * delta * nx;
   a.vy -= get(at + block.MASS_AY, l) * delta * ny;
-  a.w -= get(at + block.INERTIA_A, l) * delta * leverOf(at, get(p + block.AX, l), get(p + block.AY, l), l);
+  a.w -= get(at + block.INERTIA_A, l) * delta * get(p + block.NORMAL_LEVER_A, l);
   b.vx += get(at + block.MASS_BX, l) * delta * nx;
   b.vy += get(at + block.MASS_BY, l) * delta * ny;
-  b.w += get(at + block.INERTIA_B, l) * delta * leverOf(at, get(p + block.BX, l), get(p + block.BY, l), l);
+  b.w += get(at + block.INERTIA_B, l) * delta * get(p + block.NORMAL_LEVER_B, l);
 }

@@ -21,11 +21,6 @@ import { RigidTable } from './rigid-table';
   return v128.pmin<real>(a, b);
 }
 
-// @ts-ignore: decorator
-@inline function cross(ax: v128, ay: v128, bx: v128, by: v128): v128 {
-  return sub(mul(ax, by), mul(ay, bx));
-}
-
 // Applies the impulses of the last sub-step once more.
 export function warmStartContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
@@ -38,21 +33,21 @@ export function warmStartContacts(table: usize): void {
   const ny = v128.load(at, block.NY);
   let px = splat(0);
   let py = splat(0);
-  const roundingA = v128.load(at, block.ROUNDING_A);
-  const roundingB = v128.load(at, block.ROUNDING_B);
   let turnA = v128.load(at, block.ROLLING_IMPULSE);
   let turnB = turnA;
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     const tangent = v128.load(p, block.TANGENT_IMPULSE);
-    const x = add(mul(normal, nx), mul(tangent, ny));
-    const y = sub(mul(normal, ny), mul(tangent, nx));
-    px = add(px, x);
-    py = add(py, y);
-    const aboutA = cross(v128.load(p, block.AX), v128.load(p, block.AY), x, y);
-    const aboutB = cross(v128.load(p, block.BX), v128.load(p, block.BY), x, y);
-    turnA = add(turnA, sub(aboutA, mul(roundingA, tangent)));
-    turnB = add(turnB, add(aboutB, mul(roundingB, tangent)));
+    px = add(px, add(mul(normal, nx), mul(tangent, ny)));
+    py = add(py, sub(mul(normal, ny), mul(tangent, nx)));
+    turnA = add(
+      turnA,
+      add(mul(normal, v128.load(p, block.NORMAL_LEVER_A)), mul(tangent, v128.load(p, block.TANGENT_LEVER_A))),
+    );
+    turnB = add(
+      turnB,
+      add(mul(normal, v128.load(p, block.NORMAL_LEVER_B)), mul(tangent, v128.load(p, block.TANGENT_LEVER_B))),
+    );
   }
   const mxA = v128.load(at, block.MASS_AX);
   const myA = v128.load(at, block.MASS_AY);
@@ -145,9 +140,10 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
     const sx = add(dx, sub(sub(mul(cB, bx), mul(sB, by)), sub(mul(cA, ax), mul(sA, ay))));
     const sy = add(dy, sub(add(mul(sB, bx), mul(cB, by)), add(mul(sA, ax), mul(cA, ay))));
     const s = add(v128.load(p, block.SEPARATION), add(mul(sx, nx), mul(sy, ny)));
-    const vx = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
-    const vy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
-    const speed = add(mul(vx, nx), mul(vy, ny));
+    const leverA = v128.load(p, block.NORMAL_LEVER_A);
+    const leverB = v128.load(p, block.NORMAL_LEVER_B);
+    const turning = sub(mul(wB, leverB), mul(wA, leverA));
+    const speed = add(add(mul(sub(vxB, vxA), nx), mul(sub(vyB, vyA), ny)), turning);
     const old = v128.load(p, block.NORMAL_IMPULSE);
     const apart = v128.gt<real>(s, zero);
     let change = add(speed, v128.and(apart, mul(s, inverseH)));
@@ -170,10 +166,10 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
     const py = mul(delta, ny);
     vxA = sub(vxA, mul(mxA, px));
     vyA = sub(vyA, mul(myA, py));
-    wA = sub(wA, mul(iA, cross(ax, ay, px, py)));
+    wA = sub(wA, mul(iA, mul(delta, leverA)));
     vxB = add(vxB, mul(mxB, px));
     vyB = add(vyB, mul(myB, py));
-    wB = add(wB, mul(iB, cross(bx, by, px, py)));
+    wB = add(wB, mul(iB, mul(delta, leverB)));
   }
   if (!soft) return applyFriction(at, lanes, vxA, vyA, wA, turnedA, vxB, vyB, wB, turnedB);
   scatter(a, vxA, vyA, wA, turnedA);
@@ -202,19 +198,14 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
-  const roundingA = v128.load(at, block.ROUNDING_A);
-  const roundingB = v128.load(at, block.ROUNDING_B);
   const surface = v128.load(at, block.TANGENT_SPEED);
   let total = splat(0);
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
-    const ax = v128.load(p, block.AX);
-    const ay = v128.load(p, block.AY);
-    const bx = v128.load(p, block.BX);
-    const by = v128.load(p, block.BY);
-    const vx = sub(sub(vxB, mul(wB, by)), sub(vxA, mul(wA, ay)));
-    const vy = sub(add(vyB, mul(wB, bx)), add(vyA, mul(wA, ax)));
-    const rolling = add(mul(roundingA, wA), mul(roundingB, wB));
-    const speed = add(sub(sub(mul(vx, ny), mul(vy, nx)), surface), rolling);
+    const leverA = v128.load(p, block.TANGENT_LEVER_A);
+    const leverB = v128.load(p, block.TANGENT_LEVER_B);
+    const turning = sub(mul(wB, leverB), mul(wA, leverA));
+    const sliding = sub(mul(sub(vxB, vxA), ny), mul(sub(vyB, vyA), nx));
+    const speed = add(sub(sliding, surface), turning);
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     total = add(total, normal);
     const old = v128.load(p, block.TANGENT_IMPULSE);
@@ -223,13 +214,13 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
     v128.store(p, impulse, block.TANGENT_IMPULSE);
     const delta = sub(impulse, old);
     const px = mul(delta, ny);
-    const py = v128.neg<real>(mul(delta, nx));
+    const py = mul(delta, nx);
     vxA = sub(vxA, mul(mxA, px));
-    vyA = sub(vyA, mul(myA, py));
-    wA = sub(wA, mul(iA, sub(cross(ax, ay, px, py), mul(roundingA, delta))));
+    vyA = add(vyA, mul(myA, py));
+    wA = sub(wA, mul(iA, mul(delta, leverA)));
     vxB = add(vxB, mul(mxB, px));
-    vyB = add(vyB, mul(myB, py));
-    wB = add(wB, mul(iB, add(cross(bx, by, px, py), mul(roundingB, delta))));
+    vyB = sub(vyB, mul(myB, py));
+    wB = add(wB, mul(iB, mul(delta, leverB)));
   }
   const old = v128.load(at, block.ROLLING_IMPULSE);
   const wanted = sub(old, v128.and(mul(v128.load(at, block.ROLLING_MASS), sub(wB, wA)), lanes));
