@@ -1,55 +1,39 @@
 // The motion of shapes in a step, for the time of impact: from the pose at the start of the step by the movement of the body.
 import { FatBox, measureBox, tight } from '../../collision/broad-phase/2d/fat-boxes';
+import { ShapeMotion, motionOfA, motionOfB, move, stay } from '../../collision/narrow-phase/2d/shape-motion';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import { Shape } from '../../collision/shapes/2d/shape';
 import { ASLEEP, BodyPose, FAST, MOVES, flagsOf, poseOf, stateOf } from './body';
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 
-// The pose of a shape at the end of a step; the extents and masses of the record are not used.
-const end = changetype<BodyPose>(memory.data(offsetof<BodyPose>() + 8, 8));
-
-// Writes to `end` where the movement of its body takes a shape.
-function findEnd(t: RigidTable, body: i32, row: i32): void {
-  const pose = poseOf(t, row);
-  const centre = poseOf(t, body);
-  const state = stateOf(t, body);
-  const fromX = pose.x - centre.x;
-  const fromY = pose.y - centre.y;
-  end.x = centre.x + state.dx + (state.dc * fromX - state.ds * fromY);
-  end.y = centre.y + state.dy + (state.ds * fromX + state.dc * fromY);
-  end.c = pose.c * state.dc - pose.s * state.ds;
-  end.s = pose.s * state.dc + pose.c * state.ds;
-}
-
 // The motion of a shape of a body, as the second of the two that meet.
 export function startSweepB(t: RigidTable, sweep: Sweep, body: i32, row: i32): void {
-  const pose = poseOf(t, row);
-  sweep.bx = pose.x;
-  sweep.by = pose.y;
-  sweep.bc = pose.c;
-  sweep.bs = pose.s;
-  findEnd(t, body, row);
-  sweep.endBx = end.x;
-  sweep.endBy = end.y;
-  sweep.endBc = end.c;
-  sweep.endBs = end.s;
+  const motion = motionOfB(sweep);
+  startAt(motion, poseOf(t, row));
+  follow(t, motion, body, row);
 }
 
 // The motion of another shape, as the first of the two. A shape that sleeps or is static stays where it is.
 export function startSweepA(t: RigidTable, sweep: Sweep, row: i32): void {
-  const pose = poseOf(t, row);
-  sweep.ax = sweep.endAx = pose.x;
-  sweep.ay = sweep.endAy = pose.y;
-  sweep.ac = sweep.endAc = pose.c;
-  sweep.as = sweep.endAs = pose.s;
+  const motion = motionOfA(sweep);
+  startAt(motion, poseOf(t, row));
   const flags = flagsOf(t, row);
-  if ((flags & MOVES) == 0 || (flags & ASLEEP) != 0) return;
-  findEnd(t, bodyOf(t, row), row);
-  sweep.endAx = end.x;
-  sweep.endAy = end.y;
-  sweep.endAc = end.c;
-  sweep.endAs = end.s;
+  if ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) follow(t, motion, bodyOf(t, row), row);
+}
+
+// @ts-ignore: decorator
+@inline function startAt(motion: ShapeMotion, pose: BodyPose): void {
+  stay(motion, pose.x, pose.y, pose.c, pose.s);
+}
+
+// Where the movement of its body takes a shape.
+// @ts-ignore: decorator
+@inline function follow(t: RigidTable, motion: ShapeMotion, body: i32, row: i32): void {
+  const pose = poseOf(t, row);
+  const centre = poseOf(t, body);
+  const state = stateOf(t, body);
+  move(motion, pose.x - centre.x, pose.y - centre.y, state.dx, state.dy, state.dc, state.ds);
 }
 
 // Writes the box about the path of the second shape to `path`, and `reach` around it.

@@ -7,6 +7,7 @@ import { Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { Manifold, setPoses } from './manifold';
 import { FORESEEN, RigidContact } from './rigid-contact';
+import { ShapeMotion, motionOfA, motionOfB, move, stay } from './shape-motion';
 import { Sweep, timeOfImpact } from './time-of-impact';
 
 // The distance at which a time of impact counts, m: the slop, so that a body that is put there has a contact.
@@ -42,8 +43,8 @@ export function collideAhead(t: RigidTable, contact: RigidContact, m: Manifold, 
 
 // Whether two shapes meet in this step if their bodies go on as they are; then `sweep` says when.
 function meet(t: RigidTable, contact: RigidContact, shapeA: Shape, shapeB: Shape): bool {
-  foresee(t, contact.bodyA, contact.a, contact.a, changetype<Motion>(changetype<usize>(sweep) + offsetof<Sweep>('ax')));
-  foresee(t, contact.bodyB, contact.b, contact.a, changetype<Motion>(changetype<usize>(sweep) + offsetof<Sweep>('bx')));
+  foresee(t, contact.bodyA, contact.a, contact.a, motionOfA(sweep));
+  foresee(t, contact.bodyB, contact.b, contact.a, motionOfB(sweep));
   sweep.target = TARGET;
   timeOfImpact(sweep, shapeA, shapeB);
   return sweep.isHit != 0;
@@ -80,28 +81,10 @@ function turning(t: RigidTable, contact: RigidContact, m: Manifold, x: real, y: 
   return m.nx * (wb * by - wa * y) + m.ny * (wa * x - wb * bx);
 }
 
-// The motion of one of the two shapes, as it lies in a Sweep.
-@unmanaged
-class Motion {
-  x: real;
-  y: real;
-  c: real;
-  s: real;
-  endX: real;
-  endY: real;
-  endC: real;
-  endS: real;
-}
-
-// The pose of a shape now, from that of the shape `origin`, and at the end of the step.
-function foresee(t: RigidTable, body: i32, row: i32, origin: i32, to: Motion): void {
+// The motion of a shape from now on, beside the shape `origin`.
+function foresee(t: RigidTable, body: i32, row: i32, origin: i32, motion: ShapeMotion): void {
   const pose = poseOf(t, row);
-  to.x = pose.x - poseOf(t, origin).x;
-  to.y = pose.y - poseOf(t, origin).y;
-  to.endX = to.x;
-  to.endY = to.y;
-  to.endC = to.c = pose.c;
-  to.endS = to.s = pose.s;
+  stay(motion, pose.x - poseOf(t, origin).x, pose.y - poseOf(t, origin).y, pose.c, pose.s);
   if (!isMoving(t, body)) return;
   const state = stateOf(t, body);
   const dt = <real>t.dt;
@@ -110,10 +93,6 @@ function foresee(t: RigidTable, body: i32, row: i32, origin: i32, to: Motion): v
   const scale = <real>1 / (1 + half * half);
   const c = (<real>1 - half * half) * scale;
   const s = <real>2 * half * scale;
-  const armX = pose.x - poseOf(t, body).x;
-  const armY = pose.y - poseOf(t, body).y;
-  to.endX += dt * state.vx + (c * armX - s * armY) - armX;
-  to.endY += dt * state.vy + (s * armX + c * armY) - armY;
-  to.endC = pose.c * c - pose.s * s;
-  to.endS = pose.s * c + pose.c * s;
+  const centre = poseOf(t, body);
+  move(motion, pose.x - centre.x, pose.y - centre.y, dt * state.vx, dt * state.vy, c, s);
 }

@@ -1,5 +1,6 @@
 // Where a shape that moves along a line first meets bodies.
 import { RelativePose } from '../../narrow-phase/2d/relative-pose';
+import { motionOfA, motionOfB, stay } from '../../narrow-phase/2d/shape-motion';
 import { Sweep, timeOfImpact } from '../../narrow-phase/2d/time-of-impact';
 import { Shape } from '../../shapes/2d/shape';
 import { shapeOf } from '../../shapes/2d/shape-pool';
@@ -21,15 +22,10 @@ export function nextShapeHit(query: usize, shape: usize, row: i32): i32 {
 
 // The pose is that of `other` from the start of the query.
 export function castMeets(q: BodyQuery, own: Shape, other: Shape, pose: RelativePose): bool {
-  sweep.ax = sweep.endAx = pose.x;
-  sweep.ay = sweep.endAy = pose.y;
-  sweep.ac = sweep.endAc = pose.c;
-  sweep.as = sweep.endAs = pose.s;
-  sweep.bx = sweep.by = 0;
+  stay(motionOfA(sweep), pose.x, pose.y, pose.c, pose.s);
+  stay(motionOfB(sweep), 0, 0, q.c, q.s);
   sweep.endBx = q.limit * q.dx;
   sweep.endBy = q.limit * q.dy;
-  sweep.bc = sweep.endBc = q.c;
-  sweep.bs = sweep.endBs = q.s;
   sweep.target = TARGET;
   timeOfImpact(sweep, other, own);
   if (sweep.isHit == 0) return false;
