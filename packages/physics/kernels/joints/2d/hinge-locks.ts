@@ -9,20 +9,7 @@
 // F is the impulse at the hinge: the body weighs K on its parent, of which u is the motion at this point. So a joint takes
 // one division. With the arm r of a body from its centre, the centre moves by u + ω s, s = (r_y, -r_x).
 // Source: Featherstone, Rigid Body Dynamics Algorithms (2008), section 7.3, with velocities in place of accelerations.
-import {
-  dot2,
-  loadReals,
-  minus,
-  plus,
-  storeReals,
-  times,
-  transformed,
-  turnedBy,
-  turnedLeft,
-  turnedRight,
-  xOf,
-  yOf,
-} from '../../math/vector-2d';
+import { dot2, minus, plus, times, turnedBy, turnedLeft, turnedRight, xOf, yOf } from '../../math/vector-2d';
 import { BodyState, stateOf } from '../../solver/2d/body';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -31,6 +18,33 @@ import { ArticulatedBody, ArticulatedMass, massBeside } from './articulated-body
 import { jointed } from './brace-joints';
 import { bend, partOfLength } from './chords';
 import { JointTable } from './joint-table';
+import {
+  childArm,
+  chordOf,
+  impulseOf,
+  momentumBelow,
+  movementOf,
+  parentArm,
+  ratioOf,
+  setChildArm,
+  setChord,
+  setImpulse,
+  setMomentumBelow,
+  setParentArm,
+  setValue,
+  setVelocity,
+  setVelocityIn,
+  setWanted,
+  startBetween,
+  startOfChild,
+  startOfParent,
+  turnOf,
+  valueOf,
+  velocityIn,
+  velocityOf,
+  wantedOf,
+  weigh,
+} from './hinge-vectors';
 import { HingeStart, JointPlace } from './joint-work';
 import { finite, finiteVector } from './joint-rows';
 
@@ -38,44 +52,10 @@ import { finite, finiteVector } from './joint-rows';
 // straight bridge of a hundred planks needs it: with less, blows of its load make it swing ever more.
 export const COMPLIANCE: f64 = 1e-4;
 
-// @ts-ignore: decorator
-@inline function movedBy(state: BodyState): v128 {
-  return loadReals(changetype<usize>(state) + offsetof<BodyState>('dx'));
-}
-
-// @ts-ignore: decorator
-@inline function turnOf(state: BodyState): v128 {
-  return loadReals(changetype<usize>(state) + offsetof<BodyState>('dc'));
-}
-
-// @ts-ignore: decorator
-@inline function velocityOf(state: BodyState): v128 {
-  return loadReals(changetype<usize>(state) + offsetof<BodyState>('vx'));
-}
-
-// @ts-ignore: decorator
-@inline function parentArm(at: JointPlace): v128 {
-  return v128.load(changetype<usize>(at), offsetof<JointPlace>('parentX'));
-}
-
-// @ts-ignore: decorator
-@inline function childArm(at: JointPlace): v128 {
-  return v128.load(changetype<usize>(at), offsetof<JointPlace>('childX'));
-}
-
-// K u
-// @ts-ignore: decorator
-@inline function weigh(at: JointPlace, u: v128): v128 {
-  const first = v128.load(changetype<usize>(at), offsetof<JointPlace>('k00'));
-  return transformed(first, v128.load(changetype<usize>(at), offsetof<JointPlace>('k01')), u);
-}
-
 // The velocity that the anchor of the child is to have from that of the parent.
 // @ts-ignore: decorator
 @inline function wanted(at: JointPlace, start: HingeStart, soft: bool): v128 {
-  return soft
-    ? v128.load(changetype<usize>(start), offsetof<HingeStart>('wantedX'))
-    : v128.load(changetype<usize>(at), offsetof<JointPlace>('chordX'));
+  return soft ? wantedOf(start) : chordOf(at);
 }
 
 // The anchors where the bodies are now; `softness` is that of joints.
@@ -83,16 +63,15 @@ export const COMPLIANCE: f64 = 1e-4;
 @inline export function measureHinge(rigid: RigidTable, at: JointPlace, start: HingeStart): void {
   const p = stateOf(rigid, at.parentRow);
   const c = stateOf(rigid, at.childRow);
-  const from = changetype<usize>(start);
-  const parent = turnedBy(turnOf(p), v128.load(from, offsetof<HingeStart>('parentX')));
-  const child = turnedBy(turnOf(c), v128.load(from, offsetof<HingeStart>('childX')));
-  v128.store(changetype<usize>(at), parent, offsetof<JointPlace>('parentX'));
-  v128.store(changetype<usize>(at), child, offsetof<JointPlace>('childX'));
+  const parent = turnedBy(turnOf(p), startOfParent(start));
+  const child = turnedBy(turnOf(c), startOfChild(start));
+  setParentArm(at, parent);
+  setChildArm(at, child);
   const chord = measureChord(at, c, start, parent, child);
-  v128.store(changetype<usize>(at), chord, offsetof<JointPlace>('chordX'));
-  const between = plus(v128.load(from, offsetof<HingeStart>('x')), minus(movedBy(c), movedBy(p)));
+  setChord(at, chord);
+  const between = plus(startBetween(start), minus(movementOf(c), movementOf(p)));
   const gap = minus(plus(between, child), parent);
-  v128.store(from, plus(chord, times(softness.biasRate, gap)), offsetof<HingeStart>('wantedX'));
+  setWanted(start, plus(chord, times(softness.biasRate, gap)));
 }
 
 // @ts-ignore: decorator
@@ -107,8 +86,9 @@ export const COMPLIANCE: f64 = 1e-4;
   let velocity = velocityOf(state);
   let w = <f64>state.w;
   if (at.below != 0) {
-    velocity = v128.load(at.below, offsetof<ArticulatedBody>('vx'));
-    w = changetype<ArticulatedBody>(at.below).w;
+    const below = changetype<ArticulatedBody>(at.below);
+    velocity = velocityIn(below);
+    w = below.w;
   }
   const bendParent = bend(above.w, start.halfStepParent);
   const bendChild = bend(w, start.halfStepChild);
@@ -120,8 +100,7 @@ export const COMPLIANCE: f64 = 1e-4;
 // The velocity of a point of a body.
 // @ts-ignore: decorator
 @inline function velocityAt(body: ArticulatedBody, arm: v128): v128 {
-  const velocity = v128.load(changetype<usize>(body), offsetof<ArticulatedBody>('vx'));
-  return plus(velocity, times(body.w, turnedLeft(arm)));
+  return plus(velocityIn(body), times(body.w, turnedLeft(arm)));
 }
 
 // From the ends of the tree: what the parent bears. With `factor`, also the matrices.
@@ -148,10 +127,8 @@ export const COMPLIANCE: f64 = 1e-4;
     mass.m12 += yOf(weight);
     mass.m22 += dot2(lever, weight);
   }
-  const value = v128.load(changetype<usize>(at), offsetof<JointPlace>('valueX'));
-  const momentum = plus(value, weigh(at, wanted(at, start, soft)));
-  const sum = plus(v128.load(at.above, offsetof<ArticulatedBody>('gx')), momentum);
-  v128.store(at.above, sum, offsetof<ArticulatedBody>('gx'));
+  const momentum = plus(valueOf(at), weigh(at, wanted(at, start, soft)));
+  setMomentumBelow(to, plus(momentumBelow(to), momentum));
   to.gw += dot2(lever, momentum);
 }
 
@@ -161,15 +138,13 @@ export const COMPLIANCE: f64 = 1e-4;
   const state = stateOf(rigid, at.childRow);
   const lever = turnedRight(childArm(at));
   if (factor) factorChild(from, massBeside(t, at.below), at, xOf(lever), yOf(lever));
-  const borne = v128.load(at.below, offsetof<ArticulatedBody>('gx'));
-  const momentum = plus(borne, times(from.mass, velocityOf(state)));
+  const momentum = plus(momentumBelow(from), times(from.mass, velocityOf(state)));
   const parts = f64x2.mul(lever, momentum);
   const torque = from.gw + from.inertia * <f64>state.w + xOf(parts) + yOf(parts);
-  v128.store(at.below, f64x2.splat(0), offsetof<ArticulatedBody>('gx'));
+  setMomentumBelow(from, f64x2.splat(0));
   from.gw = 0;
   at.turn = torque * at.inverse;
-  const ratio = v128.load(changetype<usize>(at), offsetof<JointPlace>('ratioX'));
-  v128.store(changetype<usize>(at), minus(momentum, times(torque, ratio)), offsetof<JointPlace>('valueX'));
+  setValue(at, minus(momentum, times(torque, ratioOf(at))));
 }
 
 // @ts-ignore: decorator
@@ -214,8 +189,7 @@ export const COMPLIANCE: f64 = 1e-4;
     at.k01 = -xy * k;
     at.k11 = xx * k;
   }
-  const velocity = plus(velocityOf(state), times(<f64>state.w, turnedLeft(childArm(at))));
-  v128.store(changetype<usize>(at), weigh(at, velocity), offsetof<JointPlace>('valueX'));
+  setValue(at, weigh(at, plus(velocityOf(state), times(<f64>state.w, turnedLeft(childArm(at))))));
 }
 
 // From the root: the impulse of the hinge, and the velocity of the child.
@@ -223,16 +197,13 @@ export const COMPLIANCE: f64 = 1e-4;
 @inline export function exertHinge(rigid: RigidTable, at: JointPlace, start: HingeStart, soft: bool): void {
   const from = changetype<ArticulatedBody>(at.above);
   const u = minus(velocityAt(from, parentArm(at)), wanted(at, start, soft));
-  const value = v128.load(changetype<usize>(at), offsetof<JointPlace>('valueX'));
-  const change = finiteVector(minus(weigh(at, u), value));
-  const before = v128.load(changetype<usize>(at), offsetof<JointPlace>('impulseX'));
-  const impulse = soft ? times(softness.massScale, change) : plus(before, change);
-  v128.store(changetype<usize>(at), impulse, offsetof<JointPlace>('impulseX'));
+  const change = finiteVector(minus(weigh(at, u), valueOf(at)));
+  setImpulse(at, soft ? times(softness.massScale, change) : plus(impulseOf(at), change));
   if (at.below == 0) return;
   const body = changetype<ArticulatedBody>(at.below);
   const w = at.turn - at.ratioX * xOf(u) - at.ratioY * yOf(u);
   body.w = w;
-  v128.store(at.below, plus(u, times(w, turnedRight(childArm(at)))), offsetof<ArticulatedBody>('vx'));
+  setVelocityIn(body, plus(u, times(w, turnedRight(childArm(at)))));
   follow(stateOf(rigid, at.childRow), body, at.turns != 0);
 }
 
@@ -241,9 +212,7 @@ export const COMPLIANCE: f64 = 1e-4;
 @inline export function follow(state: BodyState, body: ArticulatedBody, turns: bool): void {
   const scale = softness.massScale;
   const velocity = velocityOf(state);
-  const change = minus(v128.load(changetype<usize>(body), offsetof<ArticulatedBody>('vx')), velocity);
-  const followed = plus(velocity, times(scale, finiteVector(change)));
-  storeReals(changetype<usize>(state) + offsetof<BodyState>('vx'), followed);
+  setVelocity(state, plus(velocity, times(scale, finiteVector(minus(velocityIn(body), velocity)))));
   if (turns) state.w = <real>(<f64>state.w + scale * finite(body.w - <f64>state.w));
 }
 
