@@ -88,6 +88,9 @@ export function startVideo(
     clearTimeout(timer);
     timer = setTimeout(end, ENCODER_LAG);
   };
+  const release = () => {
+    for (const track of stream.getTracks()) track.stop();
+  };
   recorder.onstart = () => {
     begin();
     onStart?.();
@@ -97,7 +100,7 @@ export function startVideo(
   };
   recorder.onstop = () => {
     clearTimeout(timer);
-    for (const track of stream.getTracks()) track.stop();
+    release();
     // The bare type: share sheets do not know codecs.
     const [type] = format.split(';');
     if (isWanted) onEnd(new Blob(pieces, { type }), type === 'video/mp4' ? 'mp4' : 'webm');
@@ -116,6 +119,8 @@ export function startVideo(
     discard() {
       isWanted = false;
       end();
+      // The recorder says later that it has stopped.
+      release();
     },
   };
 }
