@@ -14,9 +14,10 @@
 
 /**
  * A flag for the browser under which only what is held grows: compilers of JavaScript go on for minutes to add machine
- * code of functions that are seldom called, some 5 KB for every world that is made.
+ * code of functions that are seldom called, some 5 KB for every world that is made; and collections throw away the
+ * bytecode of functions that were not called since, which comes back when they are.
  */
-export const WITHOUT_COMPILERS = '--js-flags=--no-opt,--no-maglev,--no-sparkplug';
+export const WITHOUT_COMPILERS = '--js-flags=--no-opt,--no-maglev,--no-sparkplug,--no-flush-bytecode';
 
 /** What pixi keeps of every view: it names the programs of a new renderer anew, and files their sources by name. */
 export const KEPT_BY_PIXI = 10e3;

@@ -4,7 +4,8 @@ import { computeSineCosine, sineCosine } from '../math/elementary';
 import { Emitter, MAX_STOPS, putWord, word } from './record';
 
 // The number of colours of a ramp's lookup table.
-const SHADES: u32 = 256;
+const SHADE_BITS: i32 = 8;
+const SHADES: u32 = 1 << SHADE_BITS;
 
 // Computes the values derived from the parameters: the cosine of the spread, and the lookup tables of the colour
 // ramps.
@@ -82,13 +83,14 @@ function blend(first: usize, stops: u32, shade: u32): u32 {
 // @ts-ignore: decorator
 @inline export function writeColors(colors: usize, ramps: usize, column: usize, first: v128, second: v128): void {
   const shades = f64x2.splat(SHADES);
+  // Fractions are not negative, and conversions with a sign are shorter.
   const shade = v128.shuffle<u64>(
-    i32x4.trunc_sat_f64x2_u_zero(f64x2.mul(first, shades)),
-    i32x4.trunc_sat_f64x2_u_zero(f64x2.mul(second, shades)),
+    i32x4.trunc_sat_f64x2_s_zero(f64x2.mul(first, shades)),
+    i32x4.trunc_sat_f64x2_s_zero(f64x2.mul(second, shades)),
     0,
     2,
   );
-  const at = i32x4.shl(i32x4.add(i32x4.mul(v128.load(ramps), i32x4.splat(SHADES)), shade), 2);
+  const at = i32x4.shl(i32x4.add(i32x4.shl(v128.load(ramps), SHADE_BITS), i32x4.max_s(shade, i32x4.splat(0))), 2);
   store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 0)));
   store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 1)), 4);
   store<u32>(column, load<u32>(colors + i32x4.extract_lane(at, 2)), 8);
