@@ -44,6 +44,9 @@ const MAX_SECONDS = 300;
 const ENCODER_LAG = 300;
 const BITS_PER_SECOND = 12e6;
 
+/** Receives a video and its file extension. */
+type OnEnd = (video: Blob, extension: string) => void;
+
 /**
  * Starts recording a canvas.
  * @param onEnd receives the video and its file extension
@@ -51,7 +54,7 @@ const BITS_PER_SECOND = 12e6;
  */
 export function startVideo(
   source: HTMLCanvasElement,
-  onEnd: (video: Blob, extension: string) => void,
+  onEnd: OnEnd,
   {
     maxSeconds = MAX_SECONDS,
     maxSide,
@@ -88,9 +91,6 @@ export function startVideo(
     clearTimeout(timer);
     timer = setTimeout(end, ENCODER_LAG);
   };
-  const release = () => {
-    for (const track of stream.getTracks()) track.stop();
-  };
   recorder.onstart = () => {
     begin();
     onStart?.();
@@ -100,10 +100,8 @@ export function startVideo(
   };
   recorder.onstop = () => {
     clearTimeout(timer);
-    release();
-    // The bare type: share sheets do not know codecs.
-    const [type] = format.split(';');
-    if (isWanted) onEnd(new Blob(pieces, { type }), type === 'video/mp4' ? 'mp4' : 'webm');
+    release(stream);
+    if (isWanted) deliver(pieces, format, onEnd);
   };
   recorder.start(1000);
   begin();
@@ -120,9 +118,19 @@ export function startVideo(
       isWanted = false;
       end();
       // The recorder says later that it has stopped.
-      release();
+      release(stream);
     },
   };
+}
+
+function deliver(pieces: readonly Blob[], format: string, onEnd: OnEnd): void {
+  // The bare type: share sheets do not know codecs.
+  const [type] = format.split(';');
+  onEnd(new Blob([...pieces], { type }), type === 'video/mp4' ? 'mp4' : 'webm');
+}
+
+function release(stream: MediaStream): void {
+  for (const track of stream.getTracks()) track.stop();
 }
 
 function formatOf(canvas: HTMLCanvasElement, hasSound: boolean): string {
