@@ -3,7 +3,7 @@ import { put } from '../memory/columns';
 import { computeSineCosine, sineCosine } from '../math/elementary';
 import { Emitter, MAX_STOPS, putWord, word } from './record';
 
-// The number of colours of a ramp's lookup table.
+// The number of colours of a ramp's lookup table, a power of two.
 const SHADE_BITS: i32 = 8;
 const SHADES: u32 = 1 << SHADE_BITS;
 
@@ -83,7 +83,7 @@ function blend(first: usize, stops: u32, shade: u32): u32 {
 // @ts-ignore: decorator
 @inline export function writeColors(colors: usize, ramps: usize, column: usize, first: v128, second: v128): void {
   const shades = f64x2.splat(SHADES);
-  // Fractions are not negative, and conversions with a sign are shorter.
+  // Engines convert to integers with a sign in fewer instructions; below 0 they are 0, as without one.
   const shade = v128.shuffle<u64>(
     i32x4.trunc_sat_f64x2_s_zero(f64x2.mul(first, shades)),
     i32x4.trunc_sat_f64x2_s_zero(f64x2.mul(second, shades)),

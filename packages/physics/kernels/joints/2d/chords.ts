@@ -36,9 +36,9 @@ import { JointWork } from './joint-work';
 
 // The same, from the squared length of the chord, and its dot product with the velocity.
 // @ts-ignore: decorator
-@inline export function partOfLength(length: f64, along: f64): f64 {
+@inline export function partOfLength(squaredLength: f64, along: f64): f64 {
   if (!(along > 0)) return 0;
-  return along < length ? along / length : 1;
+  return along < squaredLength ? along / squaredLength : 1;
 }
 
 // What the chords of a joint with rows follow from, once its anchors are known.

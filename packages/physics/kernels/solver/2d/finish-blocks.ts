@@ -13,14 +13,21 @@ export function finishBlocks(t: RigidTable): void {
 @inline function finishBlock(t: RigidTable, at: usize): void {
   const turning = add(v128.load(at, block.INERTIA_A), v128.load(at, block.INERTIA_B));
   v128.store(at, reciprocal(turning), block.ROLLING_MASS);
-  finishPoint(at, at + block.POINTS);
-  finishPoint(at, at + block.POINTS + block.POINT);
+  const a = at + block.A;
+  const b = at + block.B;
+  const vx = sub(lanesX(b, 0), lanesX(a, 0));
+  const vy = sub(lanesY(b, 0), lanesY(a, 0));
+  const wA = lanesZ(a, 0);
+  const wB = lanesZ(b, 0);
+  finishPoint(at, at + block.POINTS, vx, vy, wA, wB);
+  finishPoint(at, at + block.POINTS + block.POINT, vx, vy, wA, wB);
   const speed = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   if (v128.any_true(v128.lt<real>(speed, splat(-block.HIT_SPEED)))) t.hitCount++;
 }
 
+// Of b from a, the bodies have the velocity (vx, vy); they turn at wA and wB.
 // @ts-ignore: decorator
-@inline function finishPoint(at: usize, p: usize): void {
+@inline function finishPoint(at: usize, p: usize, vx: v128, vy: v128, wA: v128, wB: v128): void {
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
   const ax = v128.load(p, block.AX);
@@ -39,11 +46,7 @@ export function finishBlocks(t: RigidTable): void {
   const normal = withTurning(at, v128.load(p, block.NORMAL_MASS), normalA, normalB);
   v128.store(p, reciprocal(normal), block.NORMAL_MASS);
   v128.store(p, reciprocal(withTurning(at, v128.load(p, block.TANGENT_MASS), tangentA, tangentB)), block.TANGENT_MASS);
-  const a = at + block.A;
-  const b = at + block.B;
-  const vx = sub(lanesX(b, 0), lanesX(a, 0));
-  const vy = sub(lanesY(b, 0), lanesY(a, 0));
-  const turning = sub(mul(lanesZ(b, 0), normalB), mul(lanesZ(a, 0), normalA));
+  const turning = sub(mul(wB, normalB), mul(wA, normalA));
   // A contact with one point has nothing at the second.
   const exists = v128.gt<real>(normal, splat(0));
   v128.store(p, v128.and(add(add(mul(nx, vx), mul(ny, vy)), turning), exists), block.NORMAL_SPEED);

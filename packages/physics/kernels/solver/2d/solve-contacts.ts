@@ -91,8 +91,8 @@ export function relaxContacts(table: usize): void {
 // the load of the points, which changes friction. Resting contacts converge over the next sub-steps; an impact has only this one.
 const HIT_PASSES: i32 = 3;
 
-function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
-  solveBlock(at, inverseH, inverseH, false, lanes, again);
+function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void {
+  solveBlock(at, inverseH, inverseH, false, lanes, repeat);
 }
 
 // The contacts of a block whose second point is hit. The others must not notice: which share a block depends on all bodies.
@@ -102,10 +102,15 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
   return v128.lt<real>(speed, splat(-block.HIT_SPEED));
 }
 
-// The normals, and when relaxing friction, of those contacts of a block whose lane is set. The impulses with which a sub-step
-// ends are those that act in it, and count once: with `again` what they change by.
 // @ts-ignore: decorator
-@inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128, again: v128): void {
+@inline function addToTotal(p: usize, impulse: v128): void {
+  v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), impulse), block.TOTAL_IMPULSE);
+}
+
+// The normals, and when relaxing friction, of those contacts of a block whose lane is set. The total impulse is the sum of those with
+// which the sub-steps end. With `repeat`, the pass was made in this sub-step before, and only their change is added.
+// @ts-ignore: decorator
+@inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128, repeat: v128): void {
   const zero = splat(0);
   const a = at + block.A;
   const b = at + block.B;
@@ -158,10 +163,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, again: v128): void {
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
     const delta = sub(impulse, old);
-    if (!soft) {
-      const counted = sub(impulse, v128.and(old, again));
-      v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), counted), block.TOTAL_IMPULSE);
-    }
+    if (!soft) addToTotal(p, sub(impulse, v128.and(old, repeat)));
     const px = mul(delta, nx);
     const py = mul(delta, ny);
     vxA = sub(vxA, mul(mxA, px));
