@@ -16,6 +16,8 @@ export const chromiumFlags: readonly string[] = [
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
   '--enable-unsafe-webgpu',
+  // Without a graphics card the processor paints a page's text and boxes sooner than it pretends to be a card that does.
+  '--disable-gpu-rasterization',
   '--enable-features=Vulkan',
   '--use-vulkan=swiftshader',
   '--use-webgpu-adapter=swiftshader',
