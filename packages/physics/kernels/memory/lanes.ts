@@ -48,6 +48,12 @@
   return v128.pmax<real>(a, b);
 }
 
+// The smaller of two values that are not NaN; in both a NaN on the left stays, and one on the right goes.
+// @ts-ignore: decorator
+@inline export function smaller(a: v128, b: v128): v128 {
+  return v128.pmin<real>(a, b);
+}
+
 // Dot product of two vectors.
 // @ts-ignore: decorator
 @inline export function dot(ax: v128, ay: v128, az: v128, bx: v128, by: v128, bz: v128): v128 {

@@ -7,7 +7,7 @@
 // only cost extra tests. `stride` and `layer` keep the buckets of the 9 (27) adjacent cells distinct, so that no pair
 // is found twice. Source: Green, "Particle Simulation using CUDA" (2010).
 import { Columns, get } from '../memory/columns';
-import { LANES, at, splat } from '../memory/lanes';
+import { LANES, at, larger, smaller, splat } from '../memory/lanes';
 import { ContactTable, CONTACT_MARGIN, putWord, word } from './table';
 
 const MAX_LARGE_BODIES: i32 = 16;
@@ -49,12 +49,12 @@ function measure(c: Columns, rows: i32): void {
     const x = v128.load(c.positionX + at(row));
     const y = v128.load(c.positionY + at(row));
     const round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MAX_RADIUS)));
-    smallest = v128.min<real>(smallest, v128.bitselect(radius, smallest, round));
-    largest = v128.max<real>(largest, v128.and(radius, round));
-    lowX = v128.min<real>(lowX, v128.bitselect(x, lowX, round));
-    lowY = v128.min<real>(lowY, v128.bitselect(y, lowY, round));
-    highX = v128.max<real>(highX, v128.bitselect(x, highX, round));
-    highY = v128.max<real>(highY, v128.bitselect(y, highY, round));
+    smallest = smaller(smallest, v128.bitselect(radius, smallest, round));
+    largest = larger(largest, v128.and(radius, round));
+    lowX = smaller(lowX, v128.bitselect(x, lowX, round));
+    lowY = smaller(lowY, v128.bitselect(y, lowY, round));
+    highX = larger(highX, v128.bitselect(x, highX, round));
+    highY = larger(highY, v128.bitselect(y, highY, round));
   }
   minRadius = minLane(smallest);
   maxRadius = -minLane(v128.neg<real>(largest));

@@ -6,7 +6,7 @@
 // The integrator moved the bodies without contact forces. An impulse that acts throughout the step displaces a body by
 // its change of velocity times half the step (plus the integrator's lag), which keeps a pile at rest in place.
 import { Columns, get, put } from '../memory/columns';
-import { LANES, laneOf, splat } from '../memory/lanes';
+import { LANES, laneOf, larger, splat } from '../memory/lanes';
 import { computeImpactSpeed, computeTimeSinceImpact } from './walls/impact';
 import { blockAt, contactIn, isSingle, packBlocks, solveContactsWide, unpackBlock } from './wide-contacts';
 import { approach, readRelativeMotion, readSeparation } from './approach';
@@ -72,7 +72,7 @@ function iterateBlocks(t: ContactTable, blocks: i32, forward: bool, first: bool)
   for (let n = 0; n < blocks; n++) {
     const block = blockAt(t, forward ? n : blocks - 1 - n);
     if (!isSingle(block)) {
-      changes = v128.max<real>(changes, solveContactsWide(block, impulseDuration, step, first));
+      changes = larger(changes, solveContactsWide(block, impulseDuration, step, first));
       continue;
     }
     for (let lane = 0; lane < LANES; lane++) {

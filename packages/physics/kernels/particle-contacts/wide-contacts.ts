@@ -6,7 +6,7 @@
 // contacts, which are packed into blocks of LANES. Contacts with friction or with a wall-supported body are kept in
 // separate blocks and solved sequentially.
 import { get, put } from '../memory/columns';
-import { LANES, add, div, dot, mul, splat, sub } from '../memory/lanes';
+import { LANES, add, div, dot, larger, mul, smaller, splat, sub } from '../memory/lanes';
 import { body, staticBody } from './body';
 import { transposed, readTransposed, writeTransposed } from './transpose4';
 import { ContactTable, FINITE, putWord, frictionStateAt, word } from './table';
@@ -158,9 +158,9 @@ export function solveContactsWide(block: usize, half: real, step: real, start: b
     const excess = add(dot(sub(bvx, avx), sub(bvy, avy), sub(bvz, avz), nx, ny, nz), v128.load(block, GAP_SPEED));
     const idle = v128.and(v128.ge<real>(excess, zero), v128.eq<real>(accumulated, zero));
     active = v128.andnot(v128.gt<real>(w, zero), idle);
-    impulse = v128.max<real>(v128.neg<real>(accumulated), div(v128.neg<real>(excess), w));
+    impulse = larger(div(v128.neg<real>(excess), w), v128.neg<real>(accumulated));
   }
-  const change = mul(v128.abs<real>(impulse), v128.max<real>(wa, wb));
+  const change = mul(v128.abs<real>(impulse), larger(wa, wb));
   active = v128.and(active, v128.and(v128.ne<real>(impulse, zero), v128.lt<real>(change, splat(FINITE))));
   impulse = v128.and(impulse, active);
   v128.store(block, start ? impulse : add(accumulated, impulse), IMPULSE);
@@ -179,7 +179,7 @@ export function solveContactsWide(block: usize, half: real, step: real, start: b
   let time = splat(half);
   if (!start) {
     const gap = sub(dot(sub(bx, ax), sub(by, ay), sub(bz, az), nx, ny, nz), add(ar, br));
-    const longer = v128.max<real>(time, v128.min<real>(splat(step), div(v128.neg<real>(gap), mul(impulse, w))));
+    const longer = larger(smaller(div(v128.neg<real>(gap), mul(impulse, w)), splat(step)), time);
     time = v128.bitselect(longer, time, v128.gt<real>(impulse, zero));
   }
   const ja = mul(impulse, wa);
@@ -226,7 +226,7 @@ export function correctPositionsWide(block: usize, dt: real, fraction: real, slo
   const dz = sub(bz, az);
   const reach = add(ar, br);
   const overlap = sub(reach, v128.sqrt<real>(dot(dx, dy, dz, dx, dy, dz)));
-  const separation = v128.max<real>(splat(0), mul(speed, splat(dt)));
+  const separation = larger(mul(speed, splat(dt)), splat(0));
   const depth = sub(sub(overlap, mul(splat(slop), reach)), separation);
   const sum = add(wa, wb);
   const active = v128.and(v128.gt<real>(depth, splat(0)), v128.gt<real>(sum, splat(0)));

@@ -1,5 +1,5 @@
 // Hinges that close loops, in blocks of LANES (color-loops.ts), by the formulas of solve-locks.ts in reals of the world.
-import { add, div, larger, mul, splat, sub } from '../../memory/lanes';
+import { add, div, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from '../../solver/2d/gather-lanes';
 import { softness } from '../../solver/2d/softness';
 import { JointTable } from './joint-table';
@@ -151,7 +151,7 @@ function solveBlock(at: usize, massScale: v128, impulseScale: v128, pass: i32): 
 // @ts-ignore: decorator
 @inline function bend(w: v128, halfStep: v128): v128 {
   const speed = v128.abs<real>(w);
-  return mul(speed, v128.min<real>(mul(halfStep, speed), splat(0.5)));
+  return mul(speed, smaller(mul(halfStep, speed), splat(0.5)));
 }
 
 // What is not finite, or nearly so, becomes 0.

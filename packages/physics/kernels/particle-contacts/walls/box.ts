@@ -1,6 +1,6 @@
 // Bodies inside an axis-aligned box. The formulas are in impact.ts.
 import { Columns, columns, get } from '../../memory/columns';
-import { BLOCK, LANES, add, at, div, laneOf, mul, splat, sub } from '../../memory/lanes';
+import { BLOCK, LANES, add, at, div, laneOf, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import { applyWallFriction } from '../friction';
 import { WALL_MARGIN } from '../table';
 import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
@@ -19,7 +19,7 @@ let restingLanes: v128 = i32x4.splat(0);
 // Speeds into the wall at the impacts of the last call of `rebound`.
 let impactSpeeds: v128 = i32x4.splat(0);
 
-// Reflects the lanes `hit` of one vector of rows off the wall at `plane`, which is already offset by the radius; `side`
+// Reflects the lanes `hit` of one vector of rows off the walls at `plane`, which are already offset by the radius; `side`
 // (+1 or -1) points inside. Returns the change of normal velocity per lane, zero for lanes that do not approach.
 //
 // `lag` is the time by which the integrator's velocities lag its positions. A rebound also changes the start velocity,
@@ -69,10 +69,7 @@ let impactSpeeds: v128 = i32x4.splat(0);
 }
 
 // Applies friction to the lanes that hit the wall and records their contacts.
-function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real, friction: real): void {
-  const nx = axis == 0 ? side : <real>0;
-  const ny = axis == 1 ? side : <real>0;
-  const nz = axis == 2 ? side : <real>0;
+function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, sides: v128, friction: real): void {
   const resting = restingLanes;
   const speeds = impactSpeeds;
   if (c.contacts == 0 && (friction == 0 || !hasFriction(c, row))) return;
@@ -80,6 +77,10 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, side: real
     const body = row + lane;
     const impulse = laneOf(change, lane) * get(c.mass, body);
     if (!(impulse > 0)) continue;
+    const side = laneOf(sides, lane);
+    const nx = axis == 0 ? side : <real>0;
+    const ny = axis == 1 ? side : <real>0;
+    const nz = axis == 2 ? side : <real>0;
     const own = get(c.friction, body);
     const mu = friction < 0 ? own : sqrt<real>(own * friction);
     applyWallFriction(c, body, nx, ny, nz, mu, impulse);
@@ -242,7 +243,7 @@ export function boxListed(box: usize, list: usize, dt: real, lag: real, maxSpeed
 // Of contacts with a wall; `o` is the offset of the bodies in a column.
 // @ts-ignore: decorator
 @inline function restitutionsOf(c: Columns, o: usize, wall: f64): v128 {
-  return v128.max<real>(v128.load(c.restitution + o), splat(<real>wall));
+  return larger(v128.load(c.restitution + o), splat(<real>wall));
 }
 
 // `start` is the address of the bodies' velocities at the start of the step, and `e` their restitutions.
@@ -258,6 +259,12 @@ function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize, e: v128):
   const position = v128.load(x);
   const r = mul(v128.load(radius), reach);
   return v128.or(v128.lt<real>(position, add(low, r)), v128.gt<real>(position, sub(high, r)));
+}
+
+// Points inside: +1 at the lower wall, otherwise -1.
+// @ts-ignore: decorator
+@inline function sideOf(isLow: v128): v128 {
+  return v128.bitselect(splat(1), splat(-1), isLow);
 }
 
 // Handles one vector of rows of which at least one may be outside.
@@ -289,21 +296,17 @@ function bounce(w: Walls, row: i32, start: usize, e: v128): void {
   const active = v128.andnot(v128.and(solid, v128.le<real>(lower, upper)), returns);
   for (let bounceCount = 0; bounceCount < MAX_BOUNCES; bounceCount++) {
     const position = v128.load(x + o);
-    const hitLow = v128.and(v128.lt<real>(position, lower), active);
-    const hitHigh = v128.and(v128.gt<real>(position, upper), active);
-    if (!v128.any_true(v128.or(hitLow, hitHigh))) break;
-    if (v128.any_true(hitLow)) {
-      const change = rebound(x + o, v + o, start, lower, splat(1), hitLow, e, splat(dt), splat(lag));
-      recordImpacts(c, row, change, axis, 1, friction);
-    }
-    if (v128.any_true(hitHigh)) {
-      const change = rebound(x + o, v + o, start, upper, splat(-1), hitHigh, e, splat(dt), splat(lag));
-      recordImpacts(c, row, change, axis, -1, friction);
-    }
+    const isLow = v128.lt<real>(position, lower);
+    const hit = v128.and(v128.or(isLow, v128.gt<real>(position, upper)), active);
+    if (!v128.any_true(hit)) break;
+    const plane = v128.bitselect(lower, upper, isLow);
+    const side = sideOf(isLow);
+    const change = rebound(x + o, v + o, start, plane, side, hit, e, splat(dt), splat(lag));
+    recordImpacts(c, row, change, axis, side, friction);
   }
   // Bodies still outside are clamped to the inside. A body larger than the gap between the walls is held in the middle.
   const position = v128.load(x + o);
-  const inside = v128.min<real>(v128.max<real>(position, lower), upper);
+  const inside = smaller(larger(position, lower), upper);
   const tooLarge = v128.and(solid, v128.gt<real>(lower, upper));
   const centred = v128.bitselect(mul(splat(0.5), add(lower, upper)), position, tooLarge);
   v128.store(x + o, v128.bitselect(inside, centred, active));
@@ -325,8 +328,8 @@ function holdRestingBodies(w: Walls, row: i32, start: usize, lower: v128, upper:
   v128.store(w.x + o, v128.bitselect(origin, x, restingLanes));
   v128.store(w.v + o, v128.andnot(velocity, restingLanes));
   const c = columns();
-  recordImpacts(c, row, v128.and(v128.neg<real>(velocity), onLow), w.axis, 1, w.friction);
-  recordImpacts(c, row, v128.and(velocity, onHigh), w.axis, -1, w.friction);
+  const side = sideOf(onLow);
+  recordImpacts(c, row, v128.and(v128.neg<real>(mul(side, velocity)), restingLanes), w.axis, side, w.friction);
 }
 
 // Records the bodies that are near a wall but not beyond it.

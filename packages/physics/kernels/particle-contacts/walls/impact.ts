@@ -9,6 +9,7 @@
 //     out = t (u - a t / 2)
 // away from the surface. If that is not positive, the rebound ended within the step: it is too short to resolve, and
 // the body is at rest.
+import { larger, smaller } from '../../memory/lanes';
 
 // @ts-ignore: decorator
 @inline function add<T>(a: T, b: T): T {
@@ -42,13 +43,13 @@
 
 // @ts-ignore: decorator
 @inline function minimum<T>(a: T, b: T): T {
-  if (isVector<T>()) return v128.min<real>(a, b);
+  if (isVector<T>()) return smaller(a as v128, b as v128) as T;
   return min<T>(a, b);
 }
 
 // @ts-ignore: decorator
 @inline function clampToPositive<T>(a: T): T {
-  if (isVector<T>()) return v128.max<real>(a, v128.splat<real>(0));
+  if (isVector<T>()) return larger(a as v128, v128.splat<real>(0)) as T;
   return max<T>(a, <T>0);
 }
 

@@ -6,7 +6,7 @@
 import { Columns, columns, get, put } from '../../memory/columns';
 import { ContactTable, WALL_MARGIN, contactTable, word } from '../table';
 import { applyWallFriction } from '../friction';
-import { LANES, add, at, mul, splat, sub } from '../../memory/lanes';
+import { LANES, add, at, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import { computeReboundDistance } from './impact';
 import { recordNearWall, recordWallContact } from './record';
 import { findHit, hit, path, setPath, setStart } from './sweep';
@@ -44,10 +44,7 @@ export function segmentWalls(grid: usize, dt: real, lag: real, first: i32, last:
 // Returns the lanes whose path along one axis, widened by the radius, overlaps the interval [low, high].
 // @ts-ignore: decorator
 @inline function overlaps(x: v128, from: v128, radius: v128, low: v128, high: v128): v128 {
-  return v128.and(
-    v128.ge<real>(add(v128.max<real>(x, from), radius), low),
-    v128.le<real>(sub(v128.min<real>(x, from), radius), high),
-  );
+  return v128.and(v128.ge<real>(add(larger(x, from), radius), low), v128.le<real>(sub(smaller(x, from), radius), high));
 }
 
 // Returns whether any lane comes near any of a few walls.
