@@ -4,7 +4,7 @@ import { countUses, type NodeUses, sharedOf } from './count-uses.ts';
 import { emitCalls } from './emit-calls.ts';
 import { ColumnEmitter } from './emit-columns.ts';
 import { emitSum } from './emit-sum.ts';
-import { BITS, FUNCTIONS, LANES } from './lane-operations.ts';
+import { BITS, FUNCTIONS, LANES, SIGNS } from './lane-operations.ts';
 import type { Node } from './node.ts';
 import type { SumScope } from './table.ts';
 
@@ -15,6 +15,9 @@ export class NodeEmitter extends ColumnEmitter {
   readonly #spreads = new Map<Node, number>();
   /** Locals of values for the current bodies, for each vector of an iteration. */
   #locals: Map<Node, number>[] = [];
+
+  /** Local of the bits of the signs of all lanes. */
+  #signs = 0;
 
   /** Computes uniform values. Called once before the loop, with all roots of the loop and the vectors of an iteration. */
   begin(roots: readonly Node[], vectors: number): void {
@@ -34,6 +37,9 @@ export class NodeEmitter extends ColumnEmitter {
         for (const arg of node.args) if (arg.isUniform && !arg.scope) this.#hoist(arg, true);
     }
     for (const root of roots) if (root.isUniform) this.#hoist(root, false);
+    if (!nodes.some(({ op, isUniform }) => SIGNS[op] !== undefined && !isUniform)) return;
+    this.#signs = this.local('v128');
+    this.code.add('v128.const', ...this.vectorOf(-0)).add('local.set', this.#signs);
   }
 
   /** Values computed by `emit` are valid only inside the branch. */
@@ -161,7 +167,8 @@ export class NodeEmitter extends ColumnEmitter {
       code.add(op === 'select' ? 'v128.bitselect' : 'v128.and');
     } else {
       for (const arg of args) this.push(arg);
-      const name = BITS[op];
+      if (SIGNS[op] !== undefined) code.add('local.get', this.#signs);
+      const name = SIGNS[op] ?? BITS[op];
       if (name === undefined) this.lane(LANES[op] as string);
       else code.add(name);
     }

@@ -7,8 +7,6 @@ export const LANES: Readonly<Partial<Record<Operation, string>>> = {
   sub: 'sub',
   mul: 'mul',
   div: 'div',
-  negate: 'neg',
-  abs: 'abs',
   sqrt: 'sqrt',
   floor: 'floor',
   round: 'nearest',
@@ -21,6 +19,9 @@ export const LANES: Readonly<Partial<Record<Operation, string>>> = {
 
 /** Instructions on all bits. */
 export const BITS: Readonly<Partial<Record<Operation, string>>> = { and: 'v128.and', or: 'v128.or', not: 'v128.not' };
+
+/** Instructions on a value and the bits of the signs: `abs` and `neg` would make these bits anew at each use. */
+export const SIGNS: Readonly<Partial<Record<Operation, string>>> = { negate: 'v128.xor', abs: 'v128.andnot' };
 
 /** Functions of kernels/math, called per lane, so that the results are bitwise equal to scalar calls. */
 export const FUNCTIONS = new Set<Operation>(['sin', 'cos', 'exp', 'log', 'pow', 'atan2', 'noise']);
