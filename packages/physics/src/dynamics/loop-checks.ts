@@ -57,8 +57,10 @@ export function checksOf(
   const inside = box === undefined ? undefined : insideBox(columns, result, box, reach);
   if (box === undefined || inside === undefined) return rangeTests(columns, result);
   const inRange = rangeTest(columns, result, LEAST_WEIGHT);
+  const { graph } = columns;
   const walls: WallTest = {
-    inside,
+    // Walls do not hold what has no radius or no mass, such as rows of no body, whose position is the origin.
+    inside: graph.make('or', [inside, graph.make('not', [isSolid(columns)])]),
     list,
     startVelocity: savesVelocity ? [] : columns.axisNames.map((_, i) => start.velocity[i]),
     resting: recordsContacts ? undefined : restingBodies(columns, start, result, box),
@@ -138,6 +140,12 @@ function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: B
   return conditions.reduce((a, b) => graph.make('and', [a, b]));
 }
 
+/** Returns whether a body has a radius and a mass, so that walls hold it. */
+function isSolid({ graph, isMovable, world }: WorldColumns): Node {
+  const radius = graph.make('real', [], world.addresses.Collider.radius);
+  return graph.make('and', [isMovable, graph.make('less', [graph.zero, radius])]);
+}
+
 /** The radius of a body times `reach`. */
 function radiusOf({ graph, world }: WorldColumns, reach: number): Node {
   const radius = graph.make('real', [], world.addresses.Collider.radius);
@@ -164,14 +172,13 @@ function driftOf(position: Node, velocity: Node): Node | undefined {
  * walls, handled as in kernels/particle-contacts/walls/box.ts, which handles all other cases.
  */
 function restingBodies(columns: WorldColumns, start: Moved, result: Result, box: Box): WallTest['resting'] {
-  const { graph, axisNames, world, isMovable } = columns;
+  const { graph, axisNames, world } = columns;
   if (box.restitution > REST_RESTITUTION) return undefined;
   const { Collider, Position, Velocity } = world.addresses;
   const [radius, restitution, friction] = [Collider.radius, Collider.restitution, Collider.friction].map((at) =>
     graph.make('real', [], at),
   );
   const and = (nodes: readonly Node[]) => nodes.reduce((a, b) => graph.make('and', [a, b]));
-  const isSolid = and([isMovable, graph.make('less', [graph.zero, radius])]);
   const sides = axisNames.map((axis, i) => {
     const x = result.position[i];
     const low = graph.make('add', [graph.constant(box.low[axis]), radius]);
@@ -181,7 +188,7 @@ function restingBodies(columns: WorldColumns, start: Moved, result: Result, box:
     return { low, high, clamped, isInside: graph.make('equal', [clamped, x]) };
   });
   const conditions = sides.flatMap(({ low, high, clamped, isInside }, i) => {
-    const isAtRest = and([graph.make('equal', [start.velocity[i], graph.zero]), isSolid]);
+    const isAtRest = and([graph.make('equal', [start.velocity[i], graph.zero]), isSolid(columns)]);
     const staysAtRest = and([graph.make('equal', [clamped, start.position[i]]), isAtRest]);
     return [graph.make('lessOrEqual', [low, high]), graph.make('or', [isInside, staysAtRest])];
   });

@@ -14,8 +14,8 @@ export const LOCALS = {
   listEnd: 5,
   listStart: 6,
   total: 7,
-  /** Whether the bodies of the last vector that failed the cheap check stay at rest. */
-  rests: 8,
+  /** Whether the last vector that failed the cheap check was at rest or of no solid body: then the next one often is. */
+  stays: 8,
 } as const;
 
 /** Checks the vectors of an iteration, with the locals of their results. */
@@ -45,7 +45,7 @@ function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly
   }
   const { resting } = walls;
   // The labels: all of it, and what is not at rest.
-  code.add('i32.const', 0).add('local.set', LOCALS.rests);
+  code.add('i32.const', 0).add('local.set', LOCALS.stays);
   code.add('block').add('block');
   pushFails(emitter, resting.atRest);
   code.add('br_if', 0);
@@ -57,7 +57,7 @@ function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly
       code.add('local.set', results[stores.findIndex((store) => store.address === address)]);
     }
   });
-  code.add('i32.const', 1).add('local.set', LOCALS.rests).add('br', 1).add('end');
+  code.add('i32.const', 1).add('local.set', LOCALS.stays).add('br', 1).add('end');
   emitter.branch(() => emitFailures(emitter, source));
   code.add('end');
 }
@@ -79,7 +79,7 @@ function emitFailures(emitter: NodeEmitter, { inRange, walls, types }: LoopSourc
   pushFails(emitter, walls.inside);
   code.add('if');
   listVector(emitter, walls);
-  code.add('end');
+  code.add('else').add('i32.const', 1).add('local.set', LOCALS.stays).add('end');
 }
 
 /** Appends the vector to the list. */

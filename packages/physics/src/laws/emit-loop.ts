@@ -99,8 +99,9 @@ function emitIterations(emitter: NodeEmitter, source: LoopSource): void {
 }
 
 /**
- * Repeats what `handle` emits while bodies are at rest, because where one lies on the floor the next do, too. Bodies inside the
- * box stay here as well, where they take longer, so the inner loop is tried again at every multiple of `RUN_BYTES`.
+ * Repeats what `handle` emits while bodies are at rest, because where one lies on the floor the next do, too, or are none that
+ * walls hold, as rows of no body. Bodies inside the box stay here as well, where they take longer, so the inner loop is tried
+ * again at every multiple of `RUN_BYTES`.
  */
 function repeatAtRest({ code }: NodeEmitter, { walls }: LoopSource, handle: () => void): void {
   if (walls?.resting === undefined) {
@@ -109,9 +110,13 @@ function repeatAtRest({ code }: NodeEmitter, { walls }: LoopSource, handle: () =
   }
   code.add('loop');
   handle();
-  code.add('local.get', LOCALS.rests).add('i32.and');
-  code.add('local.get', LOCALS.offset).add('i32.const', RUN_BYTES - 1).add('i32.and');
-  code.add('i32.const', 0).add('i32.ne').add('i32.and').add('br_if', 0).add('end');
+  code.add('local.get', LOCALS.stays).add('i32.and');
+  code
+    .add('local.get', LOCALS.offset)
+    .add('i32.const', RUN_BYTES - 1)
+    .add('i32.and')
+    .add('i32.const', 0);
+  code.add('i32.ne').add('i32.and').add('br_if', 0).add('end');
   code.add('local.get', LOCALS.offset).add('local.get', LOCALS.end).add('i32.lt_u');
 }
 

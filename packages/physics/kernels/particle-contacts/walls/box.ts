@@ -254,11 +254,13 @@ function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize, e: v128):
   recordNearWalls(c, row, w.axis, w.x, w.high, -1, w.friction);
 }
 
+// Only bodies with a radius count: rows of no body, whose position is the origin, may be outside by the thousand.
 // @ts-ignore: decorator
 @inline function isOutside(x: usize, radius: usize, reach: v128, low: v128, high: v128): v128 {
   const position = v128.load(x);
   const r = mul(v128.load(radius), reach);
-  return v128.or(v128.lt<real>(position, add(low, r)), v128.gt<real>(position, sub(high, r)));
+  const outside = v128.or(v128.lt<real>(position, add(low, r)), v128.gt<real>(position, sub(high, r)));
+  return v128.and(outside, v128.gt<real>(r, splat(0)));
 }
 
 // Points inside: +1 at the lower wall, otherwise -1.
