@@ -1,5 +1,5 @@
-// Box walls in the loop of the integrator give the same bits as box walls that run by themselves.
-import { describe, expect, test } from 'vitest';
+// Box walls in the loop of the integrator give the same bits as box walls that run by themselves, and cost nothing elsewhere.
+import { describe, expect, test, vi } from 'vitest';
 import { steps } from '../../../../test/support/worlds.ts';
 import {
   boxWalls,
@@ -9,6 +9,7 @@ import {
   type PhysicsWorld,
   type Preset,
   particleContacts,
+  semiImplicitEuler,
   spawn,
   standard,
   stateHash,
@@ -100,4 +101,21 @@ test('wall entities act from the step after they were made, and no longer than t
   despawn(world, segment);
   steps(world, 20, 0.1);
   expect(world.components.Position.x[ball]).toBeLessThan(-0.5);
+});
+
+test('the kernel of the walls gets bodies beyond a wall, but none without a radius, and no rows of bodies that are gone', () => {
+  const walls = boxWalls({ min: { x: 10, y: 10 }, max: { x: 20, y: 20 } });
+  const bounces = vi.spyOn(walls, 'bounceListed');
+  const world = createPhysicsWorld({ integrator: semiImplicitEuler, walls: [walls] });
+  const balls = Array.from({ length: 32 }, (_, i) =>
+    spawn(world, { position: { x: 11 + i / 4, y: 15 }, velocity: { y: 0.1 }, mass: 1, collider: 0.1 }),
+  );
+  spawn(world, { position: { x: 5, y: 5 }, velocity: { x: 1 }, mass: 1 });
+  for (const ball of balls.filter((_, i) => i % 2 === 0)) despawn(world, ball);
+  for (let i = 0; i < 10; i++) step(world, 0.01);
+  expect(bounces).not.toHaveBeenCalled();
+  world.components.Velocity.y[balls[1]] = 1000;
+  step(world, 0.01);
+  expect(bounces).toHaveBeenCalledTimes(1);
+  expect(world.components.Position.y[balls[1]]).toBeLessThanOrEqual(19.9);
 });
