@@ -49,7 +49,7 @@ describe.each(['f32', 'f64'] as const)('numbers next to zero in %s', (precision)
         (column) => column[id],
       );
     const before = valuesOf(large);
-    for (let n = 0; n < 16; n++) step(world, DT);
+    for (let n = 0; n < 64; n++) step(world, DT);
     expect(valuesOf(small)).toEqual([0, 0, 1, 0, 1, 0]);
     expect(valuesOf(large)).toEqual(before);
   });
@@ -60,7 +60,7 @@ it('lets rigid bodies sleep on whose coordinates are next to zero', () => {
   spawn(world, { position: { x: 1e-20, y: 1e-25 }, collider: { shape: box(1, 1), density: 1 } });
   for (let n = 0; n < 60; n++) step(world, DT);
   expect(asleepCount(world)).toBe(1);
-  for (let n = 0; n < 32; n++) {
+  for (let n = 0; n < 64; n++) {
     step(world, DT);
     expect(motionEvents(world).awake.count).toBe(0);
   }
