@@ -1,5 +1,5 @@
-// Processors take a hundred times as long for numbers below the smallest normal one. A speed that drag halves again and
-// again ends among these for good: the next reduction is less than half of the last bit.
+// Processors compute with subnormal numbers in microcode: a step in which all velocities are subnormal takes some fifty
+// times as long. A velocity that decays ends there for good, where the next reduction is less than half of the last bit.
 import { LANES, at, splat } from '../memory/lanes';
 
 // Sets what is nearer to zero than `limit` to zero.

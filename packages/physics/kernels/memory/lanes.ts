@@ -48,7 +48,7 @@
   return v128.pmax<real>(a, b);
 }
 
-// The smaller of two values that are not NaN; in both a NaN on the left stays, and one on the right goes.
+// The smaller of two values, as short. In both, where `a` is NaN the result is NaN, and where only `b` is, it is `a`.
 // @ts-ignore: decorator
 @inline export function smaller(a: v128, b: v128): v128 {
   return v128.pmin<real>(a, b);

@@ -16,10 +16,10 @@ const DT = 1 / 64;
 /** The smallest normal numbers (IEEE 754). */
 const LEAST_NORMAL = { f32: 2 ** -126, f64: 2 ** -1022 };
 
-describe.each(['f32', 'f64'] as const)('numbers next to zero in %s', (precision) => {
+describe.each(['f32', 'f64'] as const)('tiny values in %s', (precision) => {
   const limit = precision === 'f32' ? 1e-18 : 1e-150;
 
-  it('are zero before they are denormal, where drag halves a velocity again and again', () => {
+  it('are zero before they are subnormal, where drag halves a velocity again and again', () => {
     const world = createPhysicsWorld({ precision, integrator: semiImplicitEuler, forces: [linearDrag()] });
     const body = spawn(world, { position: {}, velocity: { x: 1, y: -1 }, mass: 1, linearDrag: 32 });
     const { x, y } = world.components.Velocity;
@@ -33,7 +33,7 @@ describe.each(['f32', 'f64'] as const)('numbers next to zero in %s', (precision)
     expect([x[body], y[body]]).toEqual([0, 0]);
   });
 
-  it('end coordinates and angular velocities as well, and nothing that is larger', () => {
+  it('are flushed in coordinates and angular velocities as well, and nothing larger is', () => {
     const world = createPhysicsWorld({ precision, dimensions: 3, integrator: semiImplicitEuler });
     const [small, large] = [0.9 * limit, 1.1 * limit].map((value) =>
       spawn(world, {
@@ -55,7 +55,7 @@ describe.each(['f32', 'f64'] as const)('numbers next to zero in %s', (precision)
   });
 });
 
-it('lets rigid bodies sleep on whose coordinates are next to zero', () => {
+it('lets rigid bodies with tiny coordinates sleep on', () => {
   const world = createPhysicsWorld({ preset: rigidBodies, precision: 'f32' });
   spawn(world, { position: { x: 1e-20, y: 1e-25 }, collider: { shape: box(1, 1), density: 1 } });
   for (let n = 0; n < 60; n++) step(world, DT);

@@ -1,23 +1,23 @@
-// Numbers too small to matter become zero, because processors take a hundred times as long for the smallest ones.
+// Flushes tiny values to zero before they are subnormal numbers: a step with these takes some fifty times as long.
 import { AXES } from '../memory/axes.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
- * Steps from one time to the next: every 16th takes 1.4 % of a step of sparks. A number becomes smaller by twenty powers of ten
- * meanwhile only if every step halves it.
+ * Steps between two flushes; with 16 they take 1.4 % of the steps of fireworks. A value becomes smaller by twenty powers of ten
+ * within 64 steps only if each of them halves it.
  */
 const INTERVAL = 64;
 
 /**
- * What is nearer to zero than this is set to zero, m, m/s, rad and rad/s. Squares of what remains are normal numbers: the smallest
- * of these are 1.2e-38 and 2.2e-308.
+ * Values of a smaller magnitude are flushed, m, m/s, rad and rad/s. The squares of the others are normal numbers, of which the
+ * smallest are 1.2e-38 and 2.2e-308.
  */
 const TINY = { f32: 1e-18, f64: 1e-150 };
 
 /**
- * Sets velocities and coordinates that are next to nothing to zero, in every 64th step. The coordinates of rigid bodies stay: one
- * that sleeps wakes when they change.
+ * Flushes tiny velocities and coordinates to zero, in every 64th step. The coordinates of rigid bodies stay: a sleeping body
+ * wakes when they change.
  */
 export function flushToZero(world: PhysicsWorld, first: number, last: number): void {
   const { addresses, dimensions, tick, integrator } = world;

@@ -59,7 +59,7 @@ export function checksOf(
   const inRange = rangeTest(columns, result, LEAST_WEIGHT);
   const { graph } = columns;
   const walls: WallTest = {
-    // Walls do not hold what has no radius or no mass, such as rows of no body, whose position is the origin.
+    // Walls do not hold what has no radius or no mass, such as unused rows, whose position is zero.
     inside: graph.make('or', [inside, graph.make('not', [isSolid(columns)])]),
     list,
     startVelocity: savesVelocity ? [] : columns.axisNames.map((_, i) => start.velocity[i]),
@@ -141,9 +141,9 @@ function wellInside(columns: WorldColumns, { position, velocity }: Moved, box: B
 }
 
 /** Returns whether a body has a radius and a mass, so that walls hold it. */
-function isSolid({ graph, isMovable, world }: WorldColumns): Node {
-  const radius = graph.make('real', [], world.addresses.Collider.radius);
-  return graph.make('and', [isMovable, graph.make('less', [graph.zero, radius])]);
+function isSolid(columns: WorldColumns): Node {
+  const { graph, isMovable } = columns;
+  return graph.make('and', [isMovable, graph.make('less', [graph.zero, radiusOf(columns, 1)])]);
 }
 
 /** The radius of a body times `reach`. */

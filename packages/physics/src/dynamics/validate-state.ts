@@ -24,21 +24,21 @@ const MAX_FORCE = 3e38;
 /** Saves poses, and repairs values written between steps. First system of every preset. */
 export const beginStep: LocalSystem = { name: 'begin', role: 'begin', run: forEachRange(beginRange) };
 
-/** Finds invalid values that the step produced, and ends those that are next to nothing. Last system of every preset. */
+/** Flushes tiny values to zero, and finds invalid ones that the step produced. Last system of every preset. */
 export const validateState: LocalSystem = checkSystem('check finite', flushToZero);
 
 /** Finds invalid values before bodies pass them on to others. */
 export const validateMotion: LocalSystem = checkSystem('check before contacts');
 
-/** @param finish runs before the check */
-function checkSystem(name: string, finish?: typeof flushToZero): LocalSystem {
+/** @param before runs before the check */
+function checkSystem(name: string, before?: typeof flushToZero): LocalSystem {
   const system: LocalSystem = {
     name,
     role: 'check',
     readsOfOthers: [],
     run: forEachRange((world, first, last) => {
       clearMissing(world, first, last);
-      finish?.(world, first, last);
+      before?.(world, first, last);
       const isFused = world.internal.plan?.fusion?.check === system;
       if ((isFused || isInRange(world, first, last)) && areAnglesValid(world, first, last)) return;
       repairRows(world, first, last, 'finish');

@@ -14,7 +14,7 @@ export const LOCALS = {
   listEnd: 5,
   listStart: 6,
   total: 7,
-  /** Whether the last vector that failed the cheap check was at rest or of no solid body: then the next one often is. */
+  /** Whether the last vector that failed the cheap check was at rest or nothing that walls hold: then the next often is. */
   stays: 8,
 } as const;
 

@@ -5,8 +5,11 @@ import type { ModuleSource } from './encode.ts';
 import type { LoopSource, WallTest } from './loop-source.ts';
 import type { Node, Operation } from './node.ts';
 
-/** 64 vectors: bodies at rest take 5 % longer than without a limit, and with a quarter of it 7. */
-const RUN_BYTES = 1024;
+/**
+ * The inner loop is tried again at offsets that are multiples of this, 64 vectors. Bodies at rest take 5 % longer by it; 7 % if it
+ * is a quarter.
+ */
+const RETRY_BYTES = 1024;
 
 const TWO_ARGUMENTS = new Set<Operation>(['pow', 'atan2']);
 
@@ -99,9 +102,9 @@ function emitIterations(emitter: NodeEmitter, source: LoopSource): void {
 }
 
 /**
- * Repeats what `handle` emits while bodies are at rest, because where one lies on the floor the next do, too, or are none that
- * walls hold, as rows of no body. Bodies inside the box stay here as well, where they take longer, so the inner loop is tried
- * again at every multiple of `RUN_BYTES`.
+ * Repeats what `handle` emits while bodies are at rest, because where one lies on the floor the next do, too, or are nothing that
+ * walls hold, such as unused rows. Bodies inside the box stay here as well, where they take longer, so the inner loop is tried
+ * again now and then.
  */
 function repeatAtRest({ code }: NodeEmitter, { walls }: LoopSource, handle: () => void): void {
   if (walls?.resting === undefined) {
@@ -113,7 +116,7 @@ function repeatAtRest({ code }: NodeEmitter, { walls }: LoopSource, handle: () =
   code.add('local.get', LOCALS.stays).add('i32.and');
   code
     .add('local.get', LOCALS.offset)
-    .add('i32.const', RUN_BYTES - 1)
+    .add('i32.const', RETRY_BYTES - 1)
     .add('i32.and')
     .add('i32.const', 0);
   code.add('i32.ne').add('i32.and').add('br_if', 0).add('end');

@@ -16,7 +16,7 @@ export class NodeEmitter extends ColumnEmitter {
   /** Locals of values for the current bodies, for each vector of an iteration. */
   #locals: Map<Node, number>[] = [];
 
-  /** Local of the bits of the signs of all lanes. */
+  /** Local of the mask of the sign bits of all lanes. */
   #signs = 0;
 
   /** Computes uniform values. Called once before the loop, with all roots of the loop and the vectors of an iteration. */

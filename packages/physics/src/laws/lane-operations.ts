@@ -20,7 +20,7 @@ export const LANES: Readonly<Partial<Record<Operation, string>>> = {
 /** Instructions on all bits. */
 export const BITS: Readonly<Partial<Record<Operation, string>>> = { and: 'v128.and', or: 'v128.or', not: 'v128.not' };
 
-/** Instructions on a value and the bits of the signs: `abs` and `neg` would make these bits anew at each use. */
+/** Instructions on a value and the mask of the sign bits, made once: engines make it anew at each `abs` and `neg`. */
 export const SIGNS: Readonly<Partial<Record<Operation, string>>> = { negate: 'v128.xor', abs: 'v128.andnot' };
 
 /** Functions of kernels/math, called per lane, so that the results are bitwise equal to scalar calls. */

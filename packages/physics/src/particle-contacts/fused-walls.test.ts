@@ -1,4 +1,4 @@
-// Box walls in the loop of the integrator give the same bits as box walls that run by themselves, and cost nothing elsewhere.
+// Box walls in the loop of the integrator give the same bits as box walls that run by themselves.
 import { describe, expect, test, vi } from 'vitest';
 import { steps } from '../../../../test/support/worlds.ts';
 import {
@@ -103,7 +103,7 @@ test('wall entities act from the step after they were made, and no longer than t
   expect(world.components.Position.x[ball]).toBeLessThan(-0.5);
 });
 
-test('the kernel of the walls gets bodies beyond a wall, but none without a radius, and no rows of bodies that are gone', () => {
+test('the kernel of the walls gets bodies beyond a wall, but none without a radius, and no unused rows', () => {
   const walls = boxWalls({ min: { x: 10, y: 10 }, max: { x: 20, y: 20 } });
   const bounces = vi.spyOn(walls, 'bounceListed');
   const world = createPhysicsWorld({ integrator: semiImplicitEuler, walls: [walls] });

@@ -254,7 +254,7 @@ function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize, e: v128):
   recordNearWalls(c, row, w.axis, w.x, w.high, -1, w.friction);
 }
 
-// Only bodies with a radius count: rows of no body, whose position is the origin, may be outside by the thousand.
+// Only bodies with a radius count: the positions of unused rows are zero, which may be outside for thousands of them.
 // @ts-ignore: decorator
 @inline function isOutside(x: usize, radius: usize, reach: v128, low: v128, high: v128): v128 {
   const position = v128.load(x);

@@ -10,16 +10,10 @@
 // them; what is round about its anchor keeps its distance. Friction, in
 // the relaxing pass: |λ_t| <= μ λ. Rolling resistance bounds the angular impulse in the same way.
 // Sources: Catto, Solver2D (2024); Macklin et al., Small Steps in Physics Simulation (2019); Box2D 3.
-import { add, larger, mul, splat, sub } from '../../memory/lanes';
+import { add, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import * as block from './contact-block';
 import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from './gather-lanes';
 import { RigidTable } from './rigid-table';
-
-// The smaller of two vectors; where the second is not a number, the first.
-// @ts-ignore: decorator
-@inline function smaller(a: v128, b: v128): v128 {
-  return v128.pmin<real>(a, b);
-}
 
 // Applies the impulses of the last sub-step once more.
 export function warmStartContacts(table: usize): void {
