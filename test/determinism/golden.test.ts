@@ -37,7 +37,7 @@ it('240 steps of every scene end where they always ended', () => {
       "joint-grid": "1a459e9a071e74a3",
       "many-pyramids": "226939dab31721b6",
       "nbody-direct": "39ef8796d15dfc35",
-      "nbody-tree": "ddd31645c01e433a",
+      "nbody-tree": "a5795ad16a5a978e",
       "particles": "dcd8a69771fd17d6",
       "plasma": "8088946b47a727e0",
       "pyramid": "c18c1190d3c27614",

@@ -21,12 +21,26 @@ let changed: bool = false;
   return sum == 0 && s != 0;
 }
 
-// Returns the smallest power of two above a positive number.
-function powerAbove(value: f64): f64 {
-  const exponent = <i64>((reinterpret<u64>(value) >> 52) & 0x7ff) - 1022;
+// Returns the exponent of the smallest power of two above a positive number.
+// @ts-ignore: decorator
+@inline function exponentAbove(value: f64): i64 {
+  return <i64>((reinterpret<u64>(value) >> 52) & 0x7ff) - 1022;
+}
+
+// Returns 2 to `exponent`, which is limited to what `real` can hold and divide by.
+function powerOfTwo(exponent: i64): f64 {
   const maxExponent: i64 = sizeof<real>() == 4 ? 120 : 1000;
   const clamped = min<i64>(maxExponent, max<i64>(-maxExponent, exponent));
   return reinterpret<f64>((<u64>(clamped + 1023)) << 52);
+}
+
+// The unit of length is at most 2 to this power times the typical distance of the bodies from the origin, and at least 2
+// to the other power times their extent. So a few bodies far away, as after close encounters, leave the others what the
+// seventh power of a distance needs of the range of `real`; and the fifth power of the extent does not exceed it.
+const TYPICAL_EXPONENT: i64 = 6;
+// @ts-ignore: decorator
+@inline function extentExponent(): i64 {
+  return sizeof<real>() == 4 ? -20 : -60;
 }
 
 let count: i32 = 0;
@@ -42,6 +56,8 @@ function measure(w: NBody, column: usize, required: u32, testBit: u32, rows: i32
   let highY: real = -Infinity;
   let highZ: real = -Infinity;
   let strongest: real = 0;
+  let exponents: i64 = 0;
+  let measured: i64 = 0;
   count = 0;
   testCount = 0;
   for (let row = 0; row < rows; row++) {
@@ -58,6 +74,11 @@ function measure(w: NBody, column: usize, required: u32, testBit: u32, rows: i32
     highX = max<real>(highX, x);
     highY = max<real>(highY, y);
     highZ = max<real>(highZ, z);
+    const distance = max<real>(abs<real>(x), max<real>(abs<real>(y), abs<real>(z)));
+    if (distance > 0) {
+      exponents += exponentAbove(<f64>distance);
+      measured++;
+    }
     if (bits & testBit) {
       testCount++;
     } else {
@@ -66,17 +87,14 @@ function measure(w: NBody, column: usize, required: u32, testBit: u32, rows: i32
     }
   }
   const extent = max<real>(highX - lowX, max<real>(highY - lowY, highZ - lowZ));
-  const length = extent > 0 ? powerAbove(<f64>extent) : 1;
-  const strength = strongest > 0 ? powerAbove(<f64>strongest) : 1;
+  const side = extent > 0 ? exponentAbove(<f64>extent) : 0;
+  const typical = measured > 0 ? exponents / measured + TYPICAL_EXPONENT : side;
+  const length = powerOfTwo(min<i64>(side, max<i64>(typical, side + extentExponent())));
+  const strength = strongest > 0 ? powerOfTwo(exponentAbove(<f64>strongest)) : 1;
   if (length != w.length || strength != w.strength) changed = true;
   w.length = length;
   w.strength = strength;
-  const farthest = max<real>(
-    max<real>(max<real>(abs<real>(lowX), abs<real>(highX)), max<real>(abs<real>(lowY), abs<real>(highY))),
-    max<real>(abs<real>(lowZ), abs<real>(highZ)),
-  );
-  const epsilon: f64 = sizeof<real>() == 4 ? 5e-7 : 1e-15;
-  w.minDistance = max<f64>((epsilon * <f64>farthest) / length, sizeof<real>() == 4 ? 1e-5 : 1e-12);
+  w.side = powerOfTwo(side) / length;
   w.lowX = <f64>lowX / length;
   w.lowY = <f64>lowY / length;
   w.lowZ = <f64>lowZ / length;

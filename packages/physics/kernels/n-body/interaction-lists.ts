@@ -1,10 +1,11 @@
 // Interaction lists: the cells and bodies that act on a group, from one traversal for all bodies of the group.
 //
-// A cell is accepted if the group is beyond its farthest body and its neglected moment is small against the field: with
-// B = (sum |s| x²) b, b the distance of the farthest body, the octupole force is of the order B/d⁵ (1/r²) or B/d⁴
-// (1/r), with d the distance from the cell's centre to the nearest point of the group's box. It must be at most
-// `tolerance` times the field scale of the group (Salmon & Warren, J. Comput. Phys. 111, 136, 1994: an absolute bound
-// per cell reaches the same error with fewer cells than a fixed opening angle). Cost: one visit per cell.
+// A cell is accepted if it does not contain the group, the group is beyond most of its radius, and its neglected moment
+// is small against the field: with B = (sum |s| x²) b, b the distance of the farthest body, the octupole force is of the
+// order B/d⁵ (1/r²) or B/d⁴ (1/r), with d the distance from the cell's centre to the nearest point of the group's box.
+// It must be at most `tolerance` times the field scale of the group (Salmon & Warren, J. Comput. Phys. 111, 136, 1994:
+// an absolute bound per cell reaches the same error with fewer cells than a fixed opening angle). Cost: one visit per
+// cell.
 import { get } from '../memory/columns';
 import { LINK_BYTES, NBody, NEAR2, NODE_BYTES, REAL, SIZE } from './workspace';
 
@@ -43,22 +44,31 @@ export function boundGroup(w: NBody, first: i32, last: i32): void {
   halfZ = half * (highZ - lowZ);
 }
 
-// Returns the magnitude of the field at the centre of the current group, from a coarse traversal. The contribution of a
-// cell is limited to its value at the box's corners, so that a close pair near the centre does not dominate.
-export function fieldScale(w: NBody, inverseSquare: bool): real {
+// Whether a cell contains the bodies at positions [first, last). It is no good approximation to them even if they are
+// far from its centre, as both of two distant clusters are.
+// @ts-ignore: decorator
+@inline function contains(link: usize, first: i32, last: i32): bool {
+  return load<i32>(link, 4) <= first && last <= load<i32>(link, 8);
+}
+
+// Returns the magnitude of the field at the centre of the current group, of positions [first, last), from a coarse
+// traversal. The contribution of a cell is limited to its value at the box's corners, so that a close pair near the
+// centre does not dominate.
+export function fieldScale(w: NBody, first: i32, last: i32, inverseSquare: bool): real {
   let ax: f64 = 0;
   let ay: f64 = 0;
   let az: f64 = 0;
   const corner2 = <f64>(halfX * halfX + halfY * halfY + halfZ * halfZ);
   for (let node = 0; node < w.nodeCount; ) {
     const p = w.nodes + <usize>node * NODE_BYTES;
-    const next = load<i32>(w.links + <usize>node * LINK_BYTES);
+    const link = w.links + <usize>node * LINK_BYTES;
+    const next = load<i32>(link);
     const dx = <f64>(load<real>(p) - boxX);
     const dy = <f64>(load<real>(p + REAL) - boxY);
     const dz = <f64>(load<real>(p + 2 * REAL) - boxZ);
     const d2 = dx * dx + dy * dy + dz * dz;
     const near2 = <f64>load<real>(p + NEAR2);
-    if (next == node + 1 || d2 > near2) {
+    if (next == node + 1 || (d2 > near2 && !contains(link, first, last))) {
       const u = max<f64>(d2 + near2, corner2);
       const k = <f64>load<real>(p + 3 * REAL) / (inverseSquare ? u * sqrt<f64>(u) : u);
       ax += k * dx;
@@ -72,9 +82,9 @@ export function fieldScale(w: NBody, inverseSquare: bool): real {
   return <real>sqrt<f64>(ax * ax + ay * ay + az * az);
 }
 
-// Fills the lists of the current group: node addresses in `cells` and, for coincident bodies, in `points`; index ranges
-// of bodies in `ranges`.
-export function listInteractions(w: NBody, allowed: real, inverseSquare: bool): void {
+// Fills the lists of the current group, of positions [first, last): node addresses in `cells` and, for coincident
+// bodies, in `points`; index ranges of bodies in `ranges`.
+export function listInteractions(w: NBody, first: i32, last: i32, allowed: real, inverseSquare: bool): void {
   const nodeCount = w.nodeCount;
   const nodes = w.nodes;
   const links = w.links;
@@ -94,7 +104,8 @@ export function listInteractions(w: NBody, allowed: real, inverseSquare: bool): 
     const dz = max<real>(abs<real>(load<real>(p + 2 * REAL) - boxZ) - halfZ, zero);
     const d2 = dx * dx + dy * dy + dz * dz;
     const d4 = d2 * d2;
-    if (d2 > load<real>(p + NEAR2) && size <= allowed * (inverseSquare ? d4 * sqrt<real>(d2) : d4)) {
+    const isAccurate = d2 > load<real>(p + NEAR2) && size <= allowed * (inverseSquare ? d4 * sqrt<real>(d2) : d4);
+    if (isAccurate && !contains(link, first, last)) {
       if (size >= 0) {
         store<u32>(cell, <u32>p);
         cell += 4;
@@ -106,17 +117,17 @@ export function listInteractions(w: NBody, allowed: real, inverseSquare: bool): 
       pairs++;
       node = next;
     } else if (next == node + 1) {
-      const first = load<i32>(link, 4);
-      const last = load<i32>(link, 8);
-      if (first == lastEnd) {
-        store<i32>(range - 8, last, 4);
+      const from = load<i32>(link, 4);
+      const end = load<i32>(link, 8);
+      if (from == lastEnd) {
+        store<i32>(range - 8, end, 4);
       } else {
-        store<i32>(range, first);
-        store<i32>(range, last, 4);
+        store<i32>(range, from);
+        store<i32>(range, end, 4);
         range += 8;
       }
-      lastEnd = last;
-      pairs += last - first;
+      lastEnd = end;
+      pairs += end - from;
       node = next;
     } else {
       node++;

@@ -15,6 +15,18 @@ const MAX_EXACT_BODIES: i32 = 512;
 // outside. Measured at equal error: 0.65 needs a third fewer cells than 1.05.
 const ACCEPTANCE_FRACTION: f64 = 0.65;
 
+// Distances below this fraction of the coordinates are lost in their rounding.
+// @ts-ignore: decorator
+@inline function epsilon(): f64 {
+  return sizeof<real>() == 4 ? 5e-7 : 1e-15;
+}
+
+// The seventh power of this distance is still a normal number.
+// @ts-ignore: decorator
+@inline function minDistance(): f64 {
+  return sizeof<real>() == 4 ? 1e-5 : 1e-12;
+}
+
 // Sums of the current node.
 let strength: f64 = 0;
 let weight: f64 = 0;
@@ -167,7 +179,8 @@ function write(w: NBody, node: i32, factor: f64): void {
   store<f64>(sums, radius, 16);
   // The size that bounds the first neglected moment; nodes of test particles alone are skipped.
   store<real>(p + SIZE, weight > 0 ? <real>(spread * radius) : -1);
-  const near = max<f64>(radius * ACCEPTANCE_FRACTION, w.minDistance);
+  const rounding = epsilon() * (abs<f64>(centreX) + abs<f64>(centreY) + abs<f64>(centreZ));
+  const near = max<f64>(radius * ACCEPTANCE_FRACTION, max<f64>(rounding, minDistance()));
   store<real>(p + NEAR2, <real>(near * near));
 }
 

@@ -116,7 +116,7 @@ function gatherRange(w: NBody, first: i32, last: i32): void {
   }
 }
 
-// Sorts the bodies into Morton order. The extent is at most one unit of length, which is the side of the root cell.
+// Sorts the bodies into Morton order.
 export function sortBodies(w: NBody, dimensions: i32): void {
   const n = w.bodies;
   for (let position = 0; position < n; position++) {
@@ -126,7 +126,7 @@ export function sortBodies(w: NBody, dimensions: i32): void {
   lowX = w.lowX;
   lowY = w.lowY;
   lowZ = w.lowZ;
-  writeKeys(w, 0, n, dimensions, 1);
+  writeKeys(w, 0, n, dimensions, w.side);
   sortRange(w, 0, n);
   gatherRange(w, 0, n);
   // Vectors of targets may extend past the end.

@@ -1,6 +1,7 @@
 // The working memory of one mutual force: bodies packed by slot, the same bodies in tree order, the tree, the lists of
-// one group, results. Lengths are in units of `length` and strengths in units of `strength`. Both are powers of two
-// near the extent of the system and the strongest body: scaling by them is exact, and no unit system overflows f32.
+// one group, results. Lengths are in units of `length` and strengths in units of `strength`. Both are powers of two,
+// near the extent of the system unless a few bodies are far away, and near the strongest body: scaling by them is exact,
+// and no unit system overflows f32.
 import { BINS } from './approximate-median';
 
 @unmanaged
@@ -66,8 +67,8 @@ export class NBody {
   lowZ: f64;
   // Softening length squared, in units of length².
   softening2: f64;
-  // Distances below this are lost in the rounding of the coordinates or in the range of their seventh power.
-  minDistance: f64;
+  // Side of the root cell, in units of length: a power of two, 1 unless a few bodies are far away.
+  side: f64;
   // Permitted error of a cell relative to the field scale, and the error measured last.
   tolerance: f64;
   error: f64;

@@ -198,6 +198,47 @@ describe('the tree', () => {
     expect((cellPairs + bodyPairs) / 10_000).toBeLessThan(1500);
   });
 
+  /** Pairs per body and error of the tree after some measurements of the error. */
+  function settled(made: Cloud, options: Options): { pairs: number; error: number } {
+    const force = gravityTree();
+    const world = worldOf(force, made, options);
+    for (let i = 0; i < 34; i++) step(world, 1e-9);
+    const { cellPairs, bodyPairs } = force.report(world);
+    return { pairs: (cellPairs + bodyPairs) / made.x.length, error: force.rmsError(world) };
+  }
+
+  // A tree of N bodies has some log N interactions for each. Far bodies and clusters add a few cells to that.
+  test.each([
+    ['f64', 3],
+    ['f32', 2],
+  ] as const)('costs as much for two distant clusters as for one: %s, %s dimensions', (precision, dimensions) => {
+    const made = cloud('plummer', 6000, dimensions);
+    const one = settled(made, { precision, dimensions });
+    for (let i = 0; i < 6000; i += 2) made.x[i] = (made.x[i] as number) + 1000;
+    const two = settled(made, { precision, dimensions });
+    expect(two.pairs / one.pairs).toBeLessThan(1.35);
+    expect(two.error).toBeLessThan(0.005);
+  });
+
+  test.each([
+    ['f64', 1e12],
+    ['f32', 1e6],
+  ] as const)('costs as much if one body was thrown out: %s, to %s m', (precision, distance) => {
+    const made = cloud('plummer', 6000, 2);
+    const before = settled(made, { precision, dimensions: 2 });
+    made.x[0] = distance;
+    const after = settled(made, { precision, dimensions: 2 });
+    expect(after.pairs / before.pairs).toBeLessThan(1.35);
+    expect(after.error).toBeLessThan(0.005);
+  });
+
+  test('attracts all others if one body is at the end of the world', () => {
+    const made = cloud('plummer', 3000, 3);
+    made.x[0] = 1e15;
+    const { error } = settled(made, { precision: 'f32' });
+    expect(error).toBeLessThan(0.005);
+  });
+
   test('of a tight cluster far from one body is no deeper than its keys', () => {
     const made = cloud('uniform', 1000, 3);
     for (const column of [made.x, made.y, made.z])
