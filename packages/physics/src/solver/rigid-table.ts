@@ -15,6 +15,7 @@ import {
   RIGID_TABLE_BYTES,
   SLEEPER_BYTES,
   TREE_NODE_BYTES,
+  TREE_ROW_BLOCK,
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
@@ -42,8 +43,8 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
 function rowBytes(precision: Precision): number {
   const bytes = realBytes(precision);
-  const records = SLEEPER_BYTES[precision] + 4 * TREE_NODE_BYTES[precision] + CROWD_BYTES;
-  return 16 * bytes + 4 * bytes + records + 15 * 4;
+  const records = SLEEPER_BYTES[precision] + 4 * TREE_NODE_BYTES[precision] + TREE_ROW_BLOCK[precision] + CROWD_BYTES;
+  return 16 * bytes + 4 * bytes + records + 14 * 4;
 }
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
@@ -112,7 +113,8 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.crowds, CROWD_BYTES);
   take(Word.staticNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.movingNodes, 2 * TREE_NODE_BYTES[precision]);
-  for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.treeRows, Word.crowded]) {
+  take(Word.treeRows, TREE_ROW_BLOCK[precision]);
+  for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.crowded]) {
     take(word, 4);
   }
   for (const word of [

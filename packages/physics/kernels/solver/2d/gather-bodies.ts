@@ -79,9 +79,9 @@ function leaveBody(t: RigidTable, row: i32): void {
   const owner = word(t.owners, row);
   if (owner == 0) return;
   if ((flagsOf(t, owner) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, owner);
+  invalidateTrees(t, flagsOf(t, row));
   putWord(t.owners, row, 0);
   putFlags(t, row, 0);
-  t.treesValid = 0;
   forgetBox(t, row);
 }
 
@@ -126,11 +126,20 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return;
-  if (((before | kind) & COLLIDES) != 0) t.treesValid = 0;
+  invalidateTrees(t, before);
+  invalidateTrees(t, kind);
   forgetBox(t, row);
   // What an earlier body of this row touched does not tell whether this one flies.
   putWord(t.usedColors, row, 0);
   sleeperOf(t, row).stillFor = 0;
+}
+
+// The tree that such a body is in, or should be in, is made anew.
+// @ts-ignore: decorator
+@inline function invalidateTrees(t: RigidTable, flags: u32): void {
+  if ((flags & COLLIDES) == 0) return;
+  if ((flags & STATIC) != 0) t.staticTreeValid = 0;
+  if ((flags & MOVES) != 0) t.movingTreeValid = 0;
 }
 
 const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;

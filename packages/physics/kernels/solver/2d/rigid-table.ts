@@ -95,14 +95,14 @@ export class RigidTable {
   sleepers: usize;
   links: usize;
   linkCount: i32;
-  // Trees of boxes: the nodes, their number, and a list of rows for making them. `treesValid` is 0 when the set of bodies
-  // changed.
+  // Trees of boxes: the nodes, their number, whether they hold the rows that they should, and a list for making them.
   staticNodes: usize;
   staticNodeCount: i32;
+  staticTreeValid: i32;
   movingNodes: usize;
   movingNodeCount: i32;
+  movingTreeValid: i32;
   treeRows: usize;
-  treesValid: i32;
   // Half perimeter of all nodes of the moving tree, when it was made.
   builtPerimeter: f64;
   // For queries (collision/queries/2d/query-trees.ts): steps for which they are still prepared, the version of what the trees

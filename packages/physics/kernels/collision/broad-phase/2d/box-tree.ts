@@ -1,10 +1,11 @@
 // A tree of boxes, for finding the boxes that overlap a given one. Its nodes lie in the order of a walk that visits a node, then
 // all below it: the first child of a node follows it, and `skip` is the node behind all below it. So a query needs no
 // stack, and boxes that changed are brought up to date in one pass from the end. A tree is made at once, from the top, by
-// halving the extent of the centres.
+// halving the extent of the centres. These lie side by side in a list of their own, which is read at every level.
+import { add, laneOf, larger, mul, smaller, splat, sub } from '../../../memory/lanes';
 import { FatBox, overlaps, rowBox } from './fat-boxes';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { ENLARGED, GROUPED, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { COLLIDES, ENLARGED, GROUPED, flagsOf, word } from '../../../solver/2d/body';
 
 @unmanaged
 export class TreeNode {
@@ -26,6 +27,22 @@ const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>
   return changetype<TreeNode>(nodes + <usize>i * NODE);
 }
 
+// A row for which a tree is made, and twice the centre of its box. It has the size of a box, of one or two vectors.
+@unmanaged
+export class TreeRow {
+  x: real;
+  y: real;
+  row: i32;
+}
+
+// @ts-ignore: decorator
+@inline export const TREE_ROW_BLOCK: usize = 4 * sizeof<real>();
+
+// @ts-ignore: decorator
+@inline function treeRowAt(t: RigidTable, i: i32): TreeRow {
+  return changetype<TreeRow>(t.treeRows + <usize>i * TREE_ROW_BLOCK);
+}
+
 // The index of the first leaf from `i` on whose box overlaps another; `count` if there is none.
 // @ts-ignore: decorator
 @inline export function nextLeaf(nodes: usize, count: i32, i: i32, box: FatBox): i32 {
@@ -45,16 +62,31 @@ const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>
   return count > 0 && nodeAt(nodes, 0).changed != 0;
 }
 
-// Makes a tree of the boxes of `count` rows, listed at t.treeRows, and returns the number of its nodes.
-export function buildTree(t: RigidTable, nodes: usize, count: i32): i32 {
+// Makes a tree of the boxes of all rows of such bodies, and returns the number of its nodes.
+export function buildTree(t: RigidTable, nodes: usize, kinds: u32): i32 {
+  const count = listRows(t, kinds);
   return count == 0 ? 0 : buildBelow(t, nodes, 0, 0, count);
+}
+
+function listRows(t: RigidTable, kinds: u32): i32 {
+  let count = 0;
+  for (let row = 1; row < t.rows; row++) {
+    const flags = flagsOf(t, row);
+    if ((flags & COLLIDES) == 0 || (flags & kinds) == 0) continue;
+    const box = rowBox(t, row);
+    const item = treeRowAt(t, count++);
+    item.x = box.minX + box.maxX;
+    item.y = box.minY + box.maxY;
+    item.row = row;
+  }
+  return count;
 }
 
 // Makes the node with the rows [first, last) of the list, and returns the index behind it.
 function buildBelow(t: RigidTable, nodes: usize, at: i32, first: i32, last: i32): i32 {
   const node = nodeAt(nodes, at);
   if (last - first == 1) {
-    node.row = word(t.treeRows, first);
+    node.row = treeRowAt(t, first).row;
     node.skip = at + 1;
     return at + 1;
   }
@@ -66,30 +98,42 @@ function buildBelow(t: RigidTable, nodes: usize, at: i32, first: i32, last: i32)
 
 // Puts the rows whose centre is in the lower half of the longer extent first, and returns where the others begin.
 function divide(t: RigidTable, first: i32, last: i32): i32 {
-  let minX = <real>Infinity;
-  let minY = <real>Infinity;
-  let maxX = -minX;
-  let maxY = -minY;
+  let least = splat(Infinity);
+  let most = splat(-Infinity);
   for (let i = first; i < last; i++) {
-    const box = rowBox(t, word(t.treeRows, i));
-    const x = box.minX + box.maxX;
-    const y = box.minY + box.maxY;
-    minX = min<real>(minX, x);
-    maxX = max<real>(maxX, x);
-    minY = min<real>(minY, y);
-    maxY = max<real>(maxY, y);
+    const centre = v128.load(changetype<usize>(treeRowAt(t, i)));
+    least = smaller(least, centre);
+    most = larger(most, centre);
   }
-  const alongX = maxX - minX >= maxY - minY;
-  const limit = alongX ? <real>0.5 * (minX + maxX) : <real>0.5 * (minY + maxY);
+  const sum = mul(splat(0.5), add(least, most));
+  const extent = sub(most, least);
+  const middle =
+    laneOf(extent, 0) >= laneOf(extent, 1)
+      ? partition(t, first, last, laneOf(sum, 0), 0)
+      : partition(t, first, last, laneOf(sum, 1), sizeof<real>());
+  return middle == first || middle == last ? (first + last) >> 1 : middle;
+}
+
+// Puts the rows below a limit first. Every row changes places with the first that is not: whether it must is hard to predict.
+// @ts-ignore: decorator
+@inline function partition(t: RigidTable, first: i32, last: i32, limit: real, axis: usize): i32 {
   let middle = first;
   for (let i = first; i < last; i++) {
-    const row = word(t.treeRows, i);
-    const box = rowBox(t, row);
-    if ((alongX ? box.minX + box.maxX : box.minY + box.maxY) >= limit) continue;
-    putWord(t.treeRows, i, word(t.treeRows, middle));
-    putWord(t.treeRows, middle++, row);
+    const item = changetype<usize>(treeRowAt(t, i));
+    const isBelow = load<real>(item + axis) < limit;
+    exchange(item, changetype<usize>(treeRowAt(t, middle)));
+    middle += i32(isBelow);
   }
-  return middle == first || middle == last ? (first + last) >> 1 : middle;
+  return middle;
+}
+
+// @ts-ignore: decorator
+@inline function exchange(a: usize, b: usize): void {
+  for (let offset: usize = 0; offset < TREE_ROW_BLOCK; offset += 16) {
+    const value = v128.load(a + offset);
+    v128.store(a + offset, v128.load(b + offset));
+    v128.store(b + offset, value);
+  }
 }
 
 // Whether a row looks for others: its box changed, and it collides with some layer, or with its group.

@@ -1,6 +1,6 @@
 // The broad phase: pairs of bodies whose fat boxes overlap. Only boxes that changed look for others, so a pair is found when
 // it begins to overlap; pairs that no longer do are dropped where contacts are updated.
-import { COLLIDES, MOVES, STATIC, flagsOf, putWord } from '../../../solver/2d/body';
+import { MOVES, STATIC } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { addContacts } from '../../narrow-phase/2d/contact-list';
 import { buildTree, hasChanged, refitTree } from './box-tree';
@@ -16,8 +16,9 @@ export function findRigidPairs(table: usize): void {
   updateBoxes(t);
   t.pairCount = 0;
   t.newPairCount = 0;
-  if (t.enlargedCount == 0 && t.treesValid != 0) return;
-  updateTrees(t);
+  if (t.enlargedCount == 0 && t.staticTreeValid != 0 && t.movingTreeValid != 0) return;
+  updateStaticTree(t);
+  updateMovingTree(t);
   if (t.movingNodeCount > 0) {
     findWithin(t, t.movingNodes, 0);
     if (t.staticNodeCount > 0) findBetween(t, t.movingNodes, 0, t.staticNodes, 0);
@@ -26,31 +27,20 @@ export function findRigidPairs(table: usize): void {
   addContacts(t);
 }
 
-function updateTrees(t: RigidTable): void {
-  if (t.treesValid == 0) {
-    t.staticNodeCount = buildTree(t, t.staticNodes, listRows(t, STATIC));
-    refitTree(t, t.staticNodes, t.staticNodeCount);
-    buildMovingTree(t);
-    t.treesValid = 1;
+function updateStaticTree(t: RigidTable): void {
+  if (t.staticTreeValid == 0) {
+    t.staticNodeCount = buildTree(t, t.staticNodes, STATIC);
+    t.staticTreeValid = 1;
+  } else if (t.enlargedStatics == 0 && !hasChanged(t.staticNodes, t.staticNodeCount)) {
+    // Also in the step after a change they are brought up to date, which takes its marks away.
     return;
   }
-  // Also in the step after, which takes the marks of what has changed away.
-  if (t.enlargedStatics > 0 || hasChanged(t.staticNodes, t.staticNodeCount))
-    refitTree(t, t.staticNodes, t.staticNodeCount);
-  if (refitTree(t, t.movingNodes, t.movingNodeCount) > MAX_GROWTH * t.builtPerimeter) buildMovingTree(t);
+  refitTree(t, t.staticNodes, t.staticNodeCount);
 }
 
-function buildMovingTree(t: RigidTable): void {
-  t.movingNodeCount = buildTree(t, t.movingNodes, listRows(t, MOVES));
+function updateMovingTree(t: RigidTable): void {
+  if (t.movingTreeValid != 0 && refitTree(t, t.movingNodes, t.movingNodeCount) <= MAX_GROWTH * t.builtPerimeter) return;
+  t.movingNodeCount = buildTree(t, t.movingNodes, MOVES);
   t.builtPerimeter = refitTree(t, t.movingNodes, t.movingNodeCount);
-}
-
-// Lists the rows of such bodies with a shape for a tree.
-function listRows(t: RigidTable, kinds: u32): i32 {
-  let count = 0;
-  for (let row = 1; row < t.rows; row++) {
-    const flags = flagsOf(t, row);
-    if ((flags & COLLIDES) != 0 && (flags & kinds) != 0) putWord(t.treeRows, count++, row);
-  }
-  return count;
+  t.movingTreeValid = 1;
 }

@@ -30,7 +30,7 @@ export function rememberPoses(table: usize, version: i32): void {
 export function treesHold(table: usize, rows: i32, version: i32): i32 {
   const t = changetype<RigidTable>(table);
   t.queryPatience = PATIENCE;
-  if (t.rememberedVersion != version || rows != t.rows || t.treesValid == 0) return 0;
+  if (t.rememberedVersion != version || rows != t.rows || (t.staticTreeValid & t.movingTreeValid) == 0) return 0;
   return i32(checksumOfPoses(t) == (((<u64>t.rememberedHigh) << 32) | <u64>t.rememberedLow));
 }
 
