@@ -17,7 +17,8 @@ const MIN_BUCKETS: i32 = 1024;
 // The square of a larger radius could overflow.
 const MAX_RADIUS: real = 1e13;
 
-// Results of `measure` over all bodies with a collider.
+// Results of `measure` over all bodies with a collider: how many there are, their radii, and the extents of the scene.
+let count: i32 = 0;
 let minRadius: real = 0;
 let maxRadius: real = 0;
 let width: f64 = 0;
@@ -35,7 +36,8 @@ let maxGridRadius: real = 0;
   return radius > 0 && radius <= MAX_RADIUS && (word(c.members, row) & 1) != 0;
 }
 
-// Finds the smallest and largest radius and the extents of the scene. Rows without a collider have radius zero.
+// Counts the bodies, and finds the smallest and largest radius and the extents of the scene. Rows without a collider have
+// radius zero, as have the unused particles of emitters.
 function measure(c: Columns, rows: i32): void {
   const infinite = splat(<real>Infinity);
   let smallest = infinite;
@@ -44,11 +46,14 @@ function measure(c: Columns, rows: i32): void {
   let lowY = infinite;
   let highX = v128.neg<real>(infinite);
   let highY = highX;
+  let counts = i32x4.splat(0);
   for (let row = 0; row < rows; row += LANES) {
     const radius = v128.load(c.radius + at(row));
     const x = v128.load(c.positionX + at(row));
     const y = v128.load(c.positionY + at(row));
     const round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MAX_RADIUS)));
+    // Every lane of the mask is -1, in f64 of both its halves.
+    counts = i32x4.sub(counts, round);
     smallest = smaller(smallest, v128.bitselect(radius, smallest, round));
     largest = larger(largest, v128.and(radius, round));
     lowX = smaller(lowX, v128.bitselect(x, lowX, round));
@@ -56,6 +61,8 @@ function measure(c: Columns, rows: i32): void {
     highX = larger(highX, v128.bitselect(x, highX, round));
     highY = larger(highY, v128.bitselect(y, highY, round));
   }
+  count = i32x4.extract_lane(counts, 0) + i32x4.extract_lane(counts, 2);
+  if (sizeof<real>() == 4) count += i32x4.extract_lane(counts, 1) + i32x4.extract_lane(counts, 3);
   minRadius = minLane(smallest);
   maxRadius = -minLane(v128.neg<real>(largest));
   width = -(<f64>minLane(v128.neg<real>(highX))) - <f64>minLane(lowX);
@@ -98,8 +105,8 @@ function limitRadius(c: Columns, t: ContactTable, rows: i32): real {
   return largest;
 }
 
-// Chooses cell size and bucket count for the `count` bodies in rows [0, rows), in 2 or 3 `dimensions`.
-export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, dimensions: i32): void {
+// Chooses cell size and bucket count for the bodies in rows [0, rows), in 2 or 3 `dimensions`.
+export function chooseGrid(c: Columns, t: ContactTable, rows: i32, dimensions: i32): void {
   measure(c, rows);
   maxGridRadius = maxRadius > 0 ? limitRadius(c, t, rows) : <real>0;
   // The small margin prevents rounding from placing two touching bodies two cells apart.
@@ -159,11 +166,17 @@ export function chooseGrid(c: Columns, t: ContactTable, rows: i32, count: i32, d
 // Stores the bucket of each row in `rowWords`: -1 for a row without a collider, -2 for a body too large for the grid.
 function findBuckets(c: Columns, t: ContactTable, rows: i32): void {
   const one = i32x4.splat(1);
+  const none = i32x4.splat(-1);
   for (let row = 0; row < rows; row += LANES) {
     const radius = v128.load(c.radius + at(row));
+    let round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MAX_RADIUS)));
+    const words = t.rowWords + ((<usize>row) << 2);
+    if (!v128.any_true(round)) {
+      storeWords(words, none);
+      continue;
+    }
     let bucket = bucketsOf(t, v128.load(c.positionX + at(row)), v128.load(c.positionY + at(row)));
     if (t.layer != 0) bucket = addLayer(t, bucket, v128.load(c.positionZ + at(row)));
-    let round = v128.and(v128.gt<real>(radius, splat(0)), v128.le<real>(radius, splat(MAX_RADIUS)));
     let small = v128.le<real>(radius, splat(maxGridRadius));
     if (sizeof<real>() == 8) {
       round = i32x4.shuffle(round, round, 0, 2, 0, 2);
@@ -171,8 +184,7 @@ function findBuckets(c: Columns, t: ContactTable, rows: i32): void {
     }
     const members = v128.load(c.members + ((<usize>row) << 2));
     round = v128.and(round, i32x4.eq(v128.and(members, one), one));
-    const word = v128.bitselect(v128.bitselect(bucket, i32x4.splat(-2), small), i32x4.splat(-1), round);
-    storeWords(t.rowWords + ((<usize>row) << 2), word);
+    storeWords(words, v128.bitselect(v128.bitselect(bucket, i32x4.splat(-2), small), none, round));
   }
 }
 

@@ -16,11 +16,11 @@ const MAX_CONTACTS_PER_BODY: i32 = 128;
 // The contact count at which the search for the current body stops.
 let contactLimit: i32 = 0;
 
-// Writes the pairs among the `count` bodies in rows [0, rows) to the unsorted list, in 2 or 3 `dimensions`.
-export function findPairs(rows: i32, count: i32, dimensions: i32): void {
+// Writes the pairs among the bodies in rows [0, rows) to the unsorted list, in 2 or 3 `dimensions`.
+export function findPairs(rows: i32, dimensions: i32): void {
   const c = columns();
   const t = contactTable();
-  chooseGrid(c, t, rows, count, dimensions);
+  chooseGrid(c, t, rows, dimensions);
   countBuckets(c, t, rows);
   sortBodies(c, t, rows);
   for (let i = 0; i < t.gridCount; i++) findNeighbours(c, t, i, dimensions == 2 ? 2 : 5);

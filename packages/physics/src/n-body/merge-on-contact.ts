@@ -73,7 +73,7 @@ function findPairs(world: PhysicsWorld) {
   const kernels = collisionKernels(world);
   const { internal, lastId } = world;
   kernels.beginContacts();
-  kernels.findPairs(internal.sweptRows, internal.bodyList.count, world.dimensions);
+  kernels.findPairs(internal.sweptRows, world.dimensions);
   kernels.sortContacts(lastId);
   return contactTable(world);
 }

@@ -32,7 +32,7 @@ export const collideBodies: LocalSystem = {
     const kernels = collisionKernels(world);
     contactsEnabled(world);
     kernels.beginContacts();
-    kernels.findPairs(internal.sweptRows, internal.bodyList.count, world.dimensions);
+    kernels.findPairs(internal.sweptRows, world.dimensions);
     kernels.sortContacts(lastId);
     const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
     kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId, confined ? 1 : 0);
