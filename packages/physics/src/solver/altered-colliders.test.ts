@@ -1,6 +1,6 @@
-// Colliders that are altered while bodies rest on them, awake or asleep: the next step knows, though the points of contact are
-// kept.
-import { box, capsule, isAsleep, setShape, spawn, uniformGravity } from '@principia/physics';
+// Colliders and poses that are altered while bodies rest on them, awake or asleep: the next step knows, though points of contact
+// and what is known of bodies that do not move are kept.
+import { box, capsule, despawn, isAsleep, setShape, spawn, uniformGravity } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { G, rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
 
@@ -55,6 +55,65 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       run(world, 1);
       expect(Math.abs(Position.y[crate] - 0.2)).toBeLessThan(SLOP);
     });
+
+    it('what lies on a floor that was taken away falls freely', () => {
+      const { world, floor, crate, Position } = crateOnFloor(isAwake);
+      const y = Position.y[crate];
+      Position.y[floor] = -100;
+      world.versions.pose++;
+      run(world, 1);
+      // Four sub-steps of semi-implicit Euler fall by g t h / 2 more than g t²/2, and the crate may have slept for one.
+      expect(y - Position.y[crate]).toBeGreaterThan((G / 2) * (1 - 1 / 60) ** 2);
+      expect(y - Position.y[crate]).toBeLessThan((G / 2) * (1 + 1 / 240) + SLOP);
+    });
+
+    it('a crate slides down a floor that was tilted', () => {
+      const { world, floor, crate, Collider, Position, Rotation, Velocity } = crateOnFloor(isAwake);
+      Collider.friction[floor] = 0;
+      run(world, 1);
+      const angle = 0.1;
+      Rotation.angle[floor] = angle;
+      // About the middle of the crate's bottom.
+      Position.x[floor] = 0.5 * Math.sin(angle);
+      Position.y[floor] = -0.5 * Math.cos(angle);
+      world.versions.pose++;
+      run(world, 1);
+      // The crate turns with the floor at first, and slides by g sin θ.
+      const speed = Math.hypot(Velocity.x[crate], Velocity.y[crate]);
+      expect(Math.abs(Rotation.angle[crate] - angle)).toBeLessThan(0.01);
+      expect(Math.abs(speed / (G * Math.sin(angle)) - 1)).toBeLessThan(0.1);
+    });
+
+    it('a part added to a body that does not move holds, and no longer when it is gone', () => {
+      const { world, floor, crate, Position } = crateOnFloor(isAwake);
+      const part = spawn(world, {
+        position: {},
+        rotation: 0,
+        collider: { shape: box(2, 1), friction: 0.5 },
+        attachment: { body: floor, x: 3, y: 1 },
+      });
+      const ball = spawn(world, { position: { x: 3, y: 2 }, collider: { radius: 0.25, density: 1 } });
+      run(world, 2);
+      expect(Math.abs(Position.y[ball] - 1.25)).toBeLessThan(SLOP);
+      despawn(world, part);
+      run(world, 2);
+      expect(Math.abs(Position.y[ball] - 0.25)).toBeLessThan(SLOP);
+      expect(Math.abs(Position.y[crate] - 0.5)).toBeLessThan(SLOP);
+    });
+  });
+
+  it.each([0.5, 0.8])('a ball follows the size of the disc below it, which becomes %s', (radius) => {
+    const world = rigidWorld({ precision });
+    const disc = spawn(world, { position: {}, rotation: 0, collider: { radius: 0.6 } });
+    const ball = spawn(world, {
+      position: { y: 0.8 },
+      motionLocks: { x: true },
+      collider: { radius: 0.2, density: 1 },
+    });
+    run(world, 2);
+    world.components.Collider.radius[disc] = radius;
+    run(world, 3);
+    expect(Math.abs(world.components.Position.y[ball] - (radius + 0.2))).toBeLessThan(SLOP);
   });
 
   it('a hero that stands still crouches', () => {

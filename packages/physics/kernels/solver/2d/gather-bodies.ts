@@ -4,10 +4,12 @@ import { clearRecord } from '../../memory/records';
 import { sineCosine } from '../../math/elementary';
 import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
+import { isForgotten, rowBox } from '../../collision/broad-phase/2d/fat-boxes';
 import {
   ASLEEP,
   BodyPose,
   COLLIDES,
+  COMPOUND,
   DYNAMIC,
   FAST,
   KINEMATIC,
@@ -80,6 +82,8 @@ function leaveBody(t: RigidTable, row: i32): void {
   if (owner == 0) return;
   if ((flagsOf(t, owner) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, owner);
   invalidateTrees(t, flagsOf(t, row));
+  // The extents of the body are found anew, too.
+  if ((flagsOf(t, owner) & STATIC) != 0) clearBox(t, owner);
   putWord(t.owners, row, 0);
   putFlags(t, row, 0);
   forgetBox(t, row);
@@ -101,6 +105,7 @@ export function listAwake(t: RigidTable): void {
       placeWall(t, row);
       continue;
     }
+    if ((flags & (STATIC | COMPOUND)) == STATIC && isUnchanged(c, t, row)) continue;
     readPose(c, t, row);
     readExtents(t, row);
     if ((flags & MOVES) == 0) continue;
@@ -110,6 +115,13 @@ export function listAwake(t: RigidTable): void {
   t.awakeCount = awake;
   listLocked(t);
   if (t.partCount > 0) placeParts(t);
+}
+
+// Whether what is known of a body that does not move still holds. A body without a box is new, or collides with nothing.
+function isUnchanged(c: Columns, t: RigidTable, row: i32): bool {
+  const pose = poseOf(t, row);
+  if (isForgotten(rowBox(t, row)) || get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return false;
+  return get(t.angle, row) == sleeperOf(t, row).angle && !hasNewCollider(t, row);
 }
 
 function classify(t: RigidTable, row: i32, kind: u32): void {
@@ -176,11 +188,11 @@ export function forgetBox(t: RigidTable, row: i32): void {
 }
 
 function clearBox(t: RigidTable, row: i32): void {
-  const box = t.boxes + <usize>row * (4 * sizeof<real>());
-  store<real>(box, <real>Infinity);
-  store<real>(box, <real>Infinity, sizeof<real>());
-  store<real>(box, -(<real>Infinity), 2 * sizeof<real>());
-  store<real>(box, -(<real>Infinity), 3 * sizeof<real>());
+  const box = rowBox(t, row);
+  box.minX = Infinity;
+  box.minY = Infinity;
+  box.maxX = -Infinity;
+  box.maxY = -Infinity;
 }
 
 function rest(t: RigidTable, row: i32): void {
@@ -219,6 +231,7 @@ function readExtents(t: RigidTable, row: i32): void {
     return;
   }
   recordCollider(t, row);
+  if ((flagsOf(t, row) & STATIC) != 0) sleeperOf(t, row).angle = get(t.angle, row);
   const shape = shapeOf(row, spare);
   pose.extent = shape.extent;
   pose.minExtent = shape.minExtent;

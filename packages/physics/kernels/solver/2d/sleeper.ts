@@ -9,7 +9,7 @@ export class Sleeper {
   stillFor: real;
   // The least speed in this time, m/s.
   slowest: real;
-  // Force, torque and angle when it fell asleep.
+  // Force, torque and angle when it fell asleep; of what does not move, the angle in the last step.
   fx: real;
   fy: real;
   torque: real;

@@ -10,6 +10,8 @@ import {
   COLLIDES,
   ENLARGED,
   MOVES,
+  PART,
+  SHIFTED,
   STATIC,
   flagsOf,
   poseOf,
@@ -42,6 +44,12 @@ export const tight = changetype<FatBox>(memory.data(offsetof<FatBox>() + sizeof<
   return changetype<FatBox>(t.boxes + <usize>row * (4 * sizeof<real>()));
 }
 
+// Whether a box is inside out, because its body is new or is gone.
+// @ts-ignore: decorator
+@inline export function isForgotten(box: FatBox): bool {
+  return box.minX > box.maxX;
+}
+
 // All four comparisons at once: which of them fails is hard to predict.
 // @ts-ignore: decorator
 @inline export function overlaps(a: FatBox, b: FatBox): bool {
@@ -64,10 +72,11 @@ export function updateBoxes(t: RigidTable): void {
   for (let row = 1; row < t.rows; row++) {
     const flags = flagsOf(t, row);
     if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
+    const box = rowBox(t, row);
+    if ((flags & (STATIC | SHIFTED | PART)) == STATIC && !isForgotten(box)) continue;
     const pose = poseOf(t, row);
     measureBox(shapeAt(t, row, spare), pose.x, pose.y, pose.c, pose.s);
     if ((flags & MOVES) != 0) addMotion(t, row);
-    const box = rowBox(t, row);
     if (box.minX <= tight.minX && box.minY <= tight.minY && tight.maxX <= box.maxX && tight.maxY <= box.maxY) continue;
     const margin = min<real>(MARGIN, MARGIN_FRACTION * pose.extent);
     box.minX = tight.minX - margin;
