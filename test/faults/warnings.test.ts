@@ -13,6 +13,7 @@ import {
   on,
   type PhysicsWorldOptions,
   particleContacts,
+  restrictForce,
   revolute,
   rgba,
   rigidBodies,
@@ -95,6 +96,17 @@ it('names a force that is there twice, but not two of different parameters', () 
   world.forces.push(uniformGravity({ y: -1 }));
   step(world, 0.01);
   expect(messages()).toMatch(/^the force "uniform gravity" is in `world.forces` twice/);
+});
+
+it('does not take a force restricted to two regions, or to two times, for one that is there twice', () => {
+  const left = { region: { min: { x: -2 }, max: { x: -1 } } };
+  const limits = [left, { region: { min: { x: 1 }, max: { x: 2 } } }, { until: 1 }, { from: 2 }, { from: 3 }];
+  const { world, messages } = listen({ forces: limits.map((where) => restrictForce(uniformGravity(), where)) });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  world.forces.push(restrictForce(uniformGravity(), left));
+  step(world, 0.01);
+  expect(messages()).toMatch(/^the force "uniform gravity \(restricted\)" is in `world.forces` twice/);
 });
 
 it('recognises milliseconds, and lets a page that was hidden go on', () => {

@@ -237,7 +237,7 @@ function warnAboutInertiaTensors(world: PhysicsWorld): void {
 function warnAboutRepeatedForces(world: PhysicsWorld): void {
   const known = new Set<string>();
   for (const force of world.forces) {
-    const key = signatureOf(force);
+    const key = signatureOf(world, force);
     if (key !== undefined && known.has(key)) {
       warnOnce(world, {
         message: `the force "${force.name}" is in \`world.forces\` twice with the same parameters, and acts twice.`,
@@ -248,8 +248,13 @@ function warnAboutRepeatedForces(world: PhysicsWorld): void {
   }
 }
 
-/** Identifies laws with equal constant parameters. Functions of a user may differ in what they compute. */
-function signatureOf({ name, law, sources, parameters }: Force): string | undefined {
-  if (law === undefined || sources?.some(({ when }) => when !== 'once')) return undefined;
-  return JSON.stringify([name, law.structure, parameters]);
+/** Identifies laws with equal constants, those of `restrictForce` included. Functions of a user may differ in what they compute. */
+function signatureOf(world: PhysicsWorld, { name, law, sources = [], parameters }: Force): string | undefined {
+  if (law === undefined || sources.some(({ when }) => when !== 'once')) return undefined;
+  const constants = sources.map((source) => {
+    const values = new Float64Array(3);
+    source.write(world, values, 0, world.time);
+    return [...values];
+  });
+  return JSON.stringify([name, law.structure, parameters, constants]);
 }
