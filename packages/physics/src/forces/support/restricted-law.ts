@@ -71,7 +71,7 @@ export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): Law
     structure: structureOf(parameters, expressions),
     names: [...law.names, ...added.names],
   };
-  const { potential: _, ...rest } = force;
+  const { potential: _, name: __, ...rest } = force;
   return { ...rest, ...lawForce(derived, [...force.sources, ...added.sources], rest) };
 }
 
