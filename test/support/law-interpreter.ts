@@ -62,6 +62,8 @@ export type Unary = keyof typeof UNARY;
 export type Elementary = keyof typeof FUNCTIONS;
 export type Comparison = keyof typeof COMPARISONS;
 
+const isShort = (exponent: number) => (2 * exponent) % 1 === 0 && Math.abs(exponent) <= 8;
+
 /** Arithmetic in a world of one precision. */
 export class Arithmetic {
   constructor(readonly round: (value: number) => number) {}
@@ -80,8 +82,23 @@ export class Arithmetic {
   }
 
   call(name: Elementary, args: readonly Real[]): Real {
+    if (name === 'pow' && !args[0].isUniform && args[1].isConstant && isShort(args[1].value)) {
+      return this.#products(args[0], args[1].value);
+    }
     const value = (FUNCTIONS[name] as (...numbers: number[]) => number)(...args.map((arg) => arg.value));
     return args.every((arg) => arg.isUniform) ? uniform(value) : own(this.round(value));
+  }
+
+  /** The square root first, then the base to the powers of two that its exponent consists of. */
+  #products(base: Real, exponent: number): Real {
+    let result = exponent % 1 === 0 ? undefined : this.unary('sqrt', base);
+    let square = base;
+    for (const bit of [1, 2, 4, 8]) {
+      if ((Math.floor(Math.abs(exponent)) & bit) !== 0)
+        result = result === undefined ? square : this.binary('mul', result, square);
+      square = this.binary('mul', square, square);
+    }
+    return exponent < 0 ? this.binary('div', known(1), result ?? known(1)) : (result ?? known(1));
   }
 
   compare(op: Comparison, a: Real, b: Real): Truth {

@@ -8,10 +8,11 @@
 // n = 1 is a spring, n = -2 gravity; by Bertrand's theorem (1873) all bound orbits are closed only for these two.
 // Within `innerRadius`, and at r = 0, there is no force, and the potential is that at `innerRadius`. In f32 rⁿ must
 // be within 10⁻³⁸ to 10³⁸; for n of 1 and -2 only the product with k must be. Goldstein, Classical Mechanics, 3rd
-// ed., sections 3.5 and 3.6. Cost: one square root, one division and 15 more operations per body, and a power unless
-// n is 1 or -2; n = 1 without an inner radius takes two operations per axis.
+// ed., sections 3.5 and 3.6. Cost: one square root, one division and 15 more operations per body, and some products
+// more if n is whole or half and at most 8, else a power; n = 1 without an inner radius takes two operations per axis.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
-import { type Scalar, select, type Vector } from '../laws/expression.ts';
+import { type Scalar, type ScalarInput, select, type Vector } from '../laws/expression.ts';
+import { isShortPower } from '../laws/lower-power.ts';
 import { scalar } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
@@ -53,6 +54,11 @@ interface Symbols {
   readonly innerRadius: Scalar;
 }
 
+/** The exponent as a number where the power is a product, so that it is compiled; else it is read from the parameters. */
+function compiled(n: number, exponent: Scalar): ScalarInput {
+  return isShortPower(n) ? n : exponent;
+}
+
 /** Common exponents avoid the power, which costs many times the rest. */
 function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbols) => Vector {
   if (n === 1 && reachesCentre) return (r, { strength }) => r.mul(strength);
@@ -62,7 +68,9 @@ function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbol
     if (n === 1) return r.mul(select(isOutside, strength, 0));
     const inverse = inverseWhere(isOutside, distance);
     const magnitude =
-      n === -2 ? strength.mul(inverse).mul(inverse) : select(isOutside, strength.mul(distance.pow(exponent)), 0);
+      n === -2
+        ? strength.mul(inverse).mul(inverse)
+        : select(isOutside, strength.mul(distance.pow(compiled(n, exponent))), 0);
     return r.mul(inverse).mul(magnitude);
   };
 }
@@ -70,7 +78,7 @@ function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbol
 function energyOf(n: number): (r: Vector, symbols: Symbols) => Scalar {
   return (r, { strength, exponent, innerRadius }) => {
     const distance = r.length().max(innerRadius);
-    const magnitude = n === -1 ? distance.log() : distance.pow(exponent.add(1)).div(exponent.add(1));
+    const magnitude = n === -1 ? distance.log() : distance.pow(compiled(n + 1, exponent.add(1))).div(exponent.add(1));
     // At r = 0, where the potential may be infinite, it is set to 0.
     return select(distance.greater(0), strength.mul(magnitude), 0).negate();
   };

@@ -7,6 +7,7 @@ import type { ColumnData } from './body-symbols.ts';
 import type { Environment } from './environment.ts';
 import type { Expression, Vector } from './expression.ts';
 import type { Graph } from './graph.ts';
+import { isShortPower, powerByProducts } from './lower-power.ts';
 import { lowerVector } from './lower-vector.ts';
 import type { Node, Operation } from './node.ts';
 import { type RowData, SumScope } from './table.ts';
@@ -71,6 +72,8 @@ export class Lowering {
         return this.vector(args[0] as Vector)[data as number];
       case 'dot':
         return dot(graph, this.vector(args[0] as Vector), this.vector(args[1] as Vector));
+      case 'pow':
+        return this.#power(args[0], args[1]);
       case 'length':
         return lengthOf(graph, this.vector(args[0] as Vector));
       case 'select':
@@ -88,6 +91,16 @@ export class Lowering {
           )
         );
     }
+  }
+
+  /** What is the same for all bodies is computed once, as the function `pow` computes it. */
+  #power(base: Expression, exponent: Expression): Node {
+    const node = this.scalar(base);
+    const { op, data } = exponent;
+    const isShort = op === 'constant' && isShortPower(data as number) && !node.isUniform;
+    return isShort
+      ? powerByProducts(this.graph, node, data as number)
+      : this.graph.make('pow', [node, this.scalar(exponent)]);
   }
 
   #has(name: ComponentName): Node {

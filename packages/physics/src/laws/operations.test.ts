@@ -1,6 +1,7 @@
 // Compares every operation of the expression language in a world with the same operation on plain numbers, bitwise and
 // in every lane.
 import { describe, expect, test } from 'vitest';
+import { Arithmetic, known, own } from '../../../../test/support/law-interpreter.ts';
 import {
   columnsOfThree,
   crowd,
@@ -138,6 +139,25 @@ describe.each(WORLD_KINDS)('in a world of $dimensions dimensions, $precision', (
     );
     expectSameBits(forcesNow(world).x[eids[0]], round(plain(a, b, c)), name);
   });
+
+  // A root and six products of a power of 7.5, and a division, are off by half a unit in the last place each, and products
+  // of equal factors double what these are off.
+  test.each([0.5, 1, 1.5, 2, 3, 4.5, 7.5, 8, -0.5, -1, -1.5, -3, -8])(
+    'the power %s is made of products, and within five units in the last place',
+    (exponent) => {
+      const law = lawOf({ reads: THREE_READS, force: ({ a }: Symbols) => vec3(a.abs().pow(exponent), 0) });
+      const { world, eids } = crowd([law], kind);
+      fill(world, eids, 23);
+      const got = forcesNow(world);
+      const unit = kind.precision === 'f32' ? 2 ** -23 : 2 ** -52;
+      for (const eid of eids) {
+        const a = Math.abs(columnsOfThree(world).a[eid]);
+        const products = new Arithmetic(round).call('pow', [own(a), known(exponent)]);
+        expectSameBits(got.x[eid], products.value, `${a} to the power ${exponent}`);
+        if (a > 0) expect(Math.abs(got.x[eid] / pow(a, exponent) - 1), `${a}`).toBeLessThan(5 * unit);
+      }
+    },
+  );
 
   test('a number combined with a column is rounded first, but a function receives it in f64', () => {
     const p = 0.1;
