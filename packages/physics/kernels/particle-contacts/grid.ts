@@ -1,7 +1,8 @@
 // The uniform grid of the broad phase: it chooses the cell size and assigns each body to a bucket.
 //
-// A cell is as wide as the largest diameter, so that touching bodies lie in the same or in adjacent cells. A few much
-// larger bodies would overfill every cell: at most 16 of them stay out of the grid and are tested against all bodies.
+// A cell is as wide as the largest diameter, so that touching bodies lie in the same or in adjacent cells. Some much
+// larger bodies would overfill every cell: they stay out of the grid and are tested against all bodies, if they are 16 at
+// most, or if that takes fewer tests.
 // Cells map to a power-of-two table of buckets: cell (i, j, k) is bucket (i + stride j + layer k) mod size. Neighbours
 // in x are therefore adjacent in memory, the extent of the scene costs no memory, and distant cells that share a bucket
 // only cost extra tests. `stride` and `layer` keep the buckets of the 9 (27) adjacent cells distinct, so that no pair
@@ -84,9 +85,8 @@ function measure(c: Columns, rows: i32): void {
   return (reinterpret<i32>(<f32>radius) >> 23) & 255;
 }
 
-// Returns the largest radius that the grid accepts: the largest of all bodies, or of all except the few in the highest
-// bins.
-function limitRadius(c: Columns, t: ContactTable, rows: i32): real {
+// Returns the largest radius that the grid accepts: the largest of all bodies, or of all except those in the highest bins.
+function limitRadius(c: Columns, t: ContactTable, rows: i32, dimensions: i32): real {
   if (maxRadius <= <real>2 * minRadius) return maxRadius;
   memory.fill(t.histogram, 0, BINS << 2);
   for (let row = 0; row < rows; row++) {
@@ -94,9 +94,7 @@ function limitRadius(c: Columns, t: ContactTable, rows: i32): real {
     const bin = binOf(get(c.radius, row));
     putWord(t.histogram, bin, word(t.histogram, bin) + 1);
   }
-  let above = 0;
-  let bin = BINS - 1;
-  while (bin > 0 && above + word(t.histogram, bin) <= MAX_LARGE_BODIES) above += word(t.histogram, bin--);
+  const bin = highestBin(t, dimensions == 2 ? 0 : depthOf(c, rows));
   let largest: real = 0;
   for (let row = 0; row < rows; row++) {
     const radius = get(c.radius, row);
@@ -105,10 +103,52 @@ function limitRadius(c: Columns, t: ContactTable, rows: i32): real {
   return largest;
 }
 
+// Returns the extent of the scene in z.
+function depthOf(c: Columns, rows: i32): f64 {
+  let low: real = Infinity;
+  let high: real = -Infinity;
+  for (let row = 0; row < rows; row++) {
+    if (!hasCollider(c, row)) continue;
+    low = min<real>(low, get(c.positionZ, row));
+    high = max<real>(high, get(c.positionZ, row));
+  }
+  return <f64>high - <f64>low;
+}
+
+// Returns the highest bin whose bodies are in the grid, for which a search takes the fewest tests. `depth` is the extent of
+// the scene in z, 0 in two dimensions.
+function highestBin(t: ContactTable, depth: f64): i32 {
+  let above = 0;
+  let bin = BINS - 1;
+  while (bin > 0 && above + word(t.histogram, bin) <= MAX_LARGE_BODIES) above += word(t.histogram, bin--);
+  let best = bin;
+  let least = countTests(bin, above, depth);
+  while (bin > 0) {
+    above += word(t.histogram, bin--);
+    if (<f64>above * <f64>count >= least) break;
+    const tests = countTests(bin, above, depth);
+    if (tests >= least) continue;
+    least = tests;
+    best = bin;
+  }
+  return best;
+}
+
+// The tests of a search with the bodies up to a bin in the grid, evenly spread, and those above it out of it.
+function countTests(bin: i32, above: i32, depth: f64): f64 {
+  // Twice the radius at the upper end of the bin.
+  const cell = <f64>reinterpret<f32>((bin + 2) << 23);
+  const inGrid = <f64>(count - above);
+  // Half of the adjacent cells.
+  let fraction = (4.5 * (cell / max<f64>(width, cell)) * cell) / max<f64>(height, cell);
+  if (depth > 0) fraction *= (3 * cell) / max<f64>(depth, cell);
+  return <f64>above * <f64>count + inGrid * inGrid * min<f64>(fraction, 1);
+}
+
 // Chooses cell size and bucket count for the bodies in rows [0, rows), in 2 or 3 `dimensions`.
 export function chooseGrid(c: Columns, t: ContactTable, rows: i32, dimensions: i32): void {
   measure(c, rows);
-  maxGridRadius = maxRadius > 0 ? limitRadius(c, t, rows) : <real>0;
+  maxGridRadius = maxRadius > 0 ? limitRadius(c, t, rows, dimensions) : <real>0;
   // The small margin prevents rounding from placing two touching bodies two cells apart.
   const cell = <f64>maxGridRadius * 2 * <f64>CONTACT_MARGIN * (1 + 1e-9);
   cellsPerMetre = cell > 0 ? 1 / cell : 0;

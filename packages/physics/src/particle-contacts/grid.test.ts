@@ -66,6 +66,11 @@ const CROWDS: Record<string, Crowd> = {
   'a few giants among the small': { count: 600, side: 100, radius: (_, i) => (i % 100 === 0 ? 20 : 0.7) },
   'more giants than may stay out of the grid': { count: 300, side: 60, radius: (_, i) => (i % 10 === 0 ? 5 : 0.3) },
   'fewer bodies than giants may be': { count: 10, side: 3, radius: (u) => 0.1 + u },
+  'many giants in a heap of the small': {
+    count: 1500,
+    side: 30,
+    radius: (_, i) => (i % 50 === 0 ? 3 : 0.05),
+  },
   'far from the origin': { count: 400, side: 16, radius: () => 0.5, origin: -30_000 },
   'a long strip': { count: 500, side: 3000, radius: () => 2, shape: 0.001 },
   'a tall strip': { count: 500, side: 4, radius: () => 2, shape: 800 },
@@ -114,12 +119,14 @@ test('immovable bodies are not paired, nor are entities without collider or posi
 test.each([2, 3] as const)(
   'many bodies in one cell cost a bounded number of tests, and dropped candidates are counted, %d D',
   (dimensions) => {
-    // Twenty bodies make the cells wide; the points are too many for a brute-force search.
+    // Twenty bodies make the cells wide, and lie so far apart that all seem to have room in them; the points are too many for a
+    // brute-force search.
     const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision: 'f32', capacity: 20_020 });
     const random = createRandom(1);
     const place = () => Float64Array.from({ length: 20_000 }, () => random.uniform(0, 1));
+    const far = Float64Array.from({ length: 20 }, (_, i) => 1e6 * (i + 1));
     spawnMany(world, 20, {
-      position: { x: Float64Array.from({ length: 20 }, (_, i) => 100 + 10 * i) },
+      position: { x: far, y: far },
       velocity: {},
       mass: 1,
       collider: 4,
@@ -134,3 +141,29 @@ test.each([2, 3] as const)(
     expect(contacts(world).droppedCount).toBeGreaterThan(1e8 / 2);
   },
 );
+
+test.each([
+  [2, 'f32'],
+  [3, 'f64'],
+] as const)('boulders among grains cost few tests, and no contact is lost, %d D, %s', (dimensions, precision) => {
+  const [grains, boulders] = [10_000, 30];
+  const world = createPhysicsWorld({ preset: particleContacts, dimensions, precision, capacity: 2 * grains });
+  const random = createRandom(5);
+  const place = () => Float64Array.from({ length: grains + boulders }, () => random.uniform(-10, 10));
+  spawnMany(world, grains + boulders, {
+    position: { x: place(), y: place(), ...(dimensions === 3 ? { z: place() } : {}) },
+    velocity: {},
+    mass: 1,
+    collider: Float64Array.from({ length: grains + boulders }, (_, i) => (i < grains ? 0.05 : 3)),
+  });
+  step(world, INSTANT);
+  // In cells of 6 m every grain would be tested against thousands of others, of which 4096 are tested at most.
+  expect(contacts(world).droppedCount).toBe(0);
+  const { x, y, z } = world.components.Position;
+  let onFirst = 0;
+  for (let id = 1; id <= grains; id++) {
+    const b = grains + 1;
+    if (Math.hypot(x[id] - x[b], y[id] - y[b], z[id] - z[b]) < 3.05) onFirst++;
+  }
+  expect(found(world).filter((pair) => pair.endsWith(` ${grains + 1}`)).length).toBe(onFirst);
+});
