@@ -29,7 +29,7 @@ const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>
 
 // A row for which a tree is made, and twice the centre of its box. It has the size of a box, of one or two vectors.
 @unmanaged
-export class TreeRow {
+class TreeRow {
   x: real;
   y: real;
   row: i32;
