@@ -98,6 +98,18 @@ it('names a force that is there twice, but not two of different parameters', () 
   expect(messages()).toMatch(/^the force "uniform gravity" is in `world.forces` twice/);
 });
 
+it('names in large worlds, too, what a body lacks that came when bodies come in every step, a few steps later', () => {
+  const { world, messages } = listen({ capacity: 10_000 });
+  spawnMany(world, 8000, { position: {}, velocity: {}, mass: 1 });
+  step(world, 0.01);
+  spawn(world, { position: {}, velocity: {}, mass: 1, linearDrag: 1 });
+  for (let i = 0; i < 10; i++) {
+    spawn(world, { position: {}, velocity: {}, mass: 1 });
+    step(world, 0.01);
+  }
+  expect(messages()).toMatch(/^LinearDrag has no effect/);
+});
+
 it('does not take a force restricted to two regions, or to two times, for one that is there twice', () => {
   const left = { region: { min: { x: -2 }, max: { x: -1 } } };
   const limits = [left, { region: { min: { x: 1 }, max: { x: 2 } } }, { until: 1 }, { from: 2 }, { from: 3 }];

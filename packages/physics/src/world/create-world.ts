@@ -220,7 +220,7 @@ function initialInternals(components: Components) {
     isTrial: false,
     lastId: 0,
     warned: new Set(),
-    reviewed: { plan: undefined, membership: -1 },
+    reviewed: { plan: undefined, membership: -1, stepsAgo: 0 },
     rangesVersion: -1,
     sweptRows: 0,
   };

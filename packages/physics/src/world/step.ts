@@ -68,10 +68,18 @@ export function step(world: PhysicsWorld, dt: number): void {
   throwStepErrors(world);
 }
 
+/** Where bodies come and go all the time, a review goes through all rows no more often than that many rows a step. */
+const REVIEWED_ROWS = 1000;
+
 /** Warns about probable mistakes whenever the plan, the handlers or the set of components has changed. */
 function review(world: PhysicsWorld, plan: Plan, dt: number): void {
   const { reviewed } = world.internal;
-  if (reviewed.plan === plan && reviewed.membership === world.versions.membership) return;
+  reviewed.stepsAgo++;
+  if (reviewed.plan === plan) {
+    if (reviewed.membership === world.versions.membership) return;
+    if (REVIEWED_ROWS * reviewed.stepsAgo < world.lastId) return;
+  }
+  reviewed.stepsAgo = 0;
   reviewed.plan = plan;
   reviewed.membership = world.versions.membership;
   warnAboutDuration(world, dt, 'step');

@@ -363,8 +363,8 @@ export interface WorldInternals {
   isTrial: boolean;
   /** The keys of the warnings given so far. */
   readonly warned: Set<string>;
-  /** The plan and versions at the last check for warnings. */
-  readonly reviewed: { plan: Plan | undefined; membership: number };
+  /** The plan and membership at the last check for warnings, and the steps since. */
+  readonly reviewed: { plan: Plan | undefined; membership: number; stepsAgo: number };
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   /** The value of `world.lastId`. */
   lastId: number;
