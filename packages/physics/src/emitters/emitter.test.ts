@@ -273,6 +273,20 @@ describe('an emitter', () => {
     expect(codeOf(() => burst(emitter, 1))).toBe('E_CAPACITY');
   });
 
+  test('small emitters take 64 bursts in a step, and a default world has room for a hundred of them', () => {
+    const world = createPhysicsWorld({ capacity: 1000 });
+    const emitters = Array.from({ length: 100 }, () => createEmitter(world, { capacity: 8, mass: 1 }));
+    for (const emitter of emitters) {
+      for (let i = 0; i < 64; i++) burst(emitter, 1);
+      expect(codeOf(() => burst(emitter, 1))).toBe('E_CAPACITY');
+    }
+    step(world, 0.01);
+    for (const emitter of emitters) {
+      expect(aliveCount(emitter)).toBe(8);
+      expect(emitterCounts(emitter).dropped).toBe(56);
+    }
+  });
+
   test('reports ended particles and their states (ch12-fireworks)', () => {
     const { world, emitter } = emitting({ capacity: 10, reportEndings: true, lifetime: 0.5, speed: 2, spread: 0 });
     const sparks = createEmitter(world, { capacity: 1000, velocitySpread: { x: 75, y: 50 }, speed: 0 });

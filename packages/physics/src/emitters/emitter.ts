@@ -29,7 +29,7 @@ import {
   parametersOf,
 } from './options.ts';
 import { type BurstPattern, checkPattern } from './pattern.ts';
-import { type Block, layOut, MAX_BURSTS, makeBodies, removeBodies, returnBlock, takeBlock } from './pool.ts';
+import { type Block, layOut, makeBodies, maxBursts, removeBodies, returnBlock, takeBlock } from './pool.ts';
 import { BURST_BYTES, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
@@ -75,7 +75,11 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
       followed,
       entity: options.entity ?? 0,
       parameters,
-      bursts: new Float64Array(world.memory.buffer, block.record.words[W.bursts], (MAX_BURSTS * BURST_BYTES) / 8),
+      bursts: new Float64Array(
+        world.memory.buffer,
+        block.record.words[W.bursts],
+        (maxBursts(capacity) * BURST_BYTES) / 8,
+      ),
       endings: undefined,
       membership: world.versions.membership,
       destroyed: false,
@@ -207,7 +211,8 @@ export interface BurstOptions {
 
 /**
  * Creates `count` particles at once, at the next step.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts per step
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts per step, or
+ *   beyond as many as the emitter has particles if these are fewer, though at least 64
  */
 export function burst(emitter: Emitter, count: number, options: BurstOptions = NO_OPTIONS): void {
   const { words } = recordOf(emitter);
@@ -219,10 +224,10 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
   checkNumber(scale, 'scale', SCALE_BOUNDS);
   if (pattern !== undefined) checkPattern(world, pattern);
   const pendingCount = words[W.burstCount];
-  if (pendingCount >= MAX_BURSTS) {
+  if (pendingCount >= maxBursts(capacity)) {
     throw new PhysicsError(
       'E_CAPACITY',
-      `the emitter already has ${MAX_BURSTS} bursts pending, the maximum per step. Call step, or merge bursts.`,
+      `the emitter already has ${pendingCount} bursts pending, the maximum per step. Call step, or merge bursts.`,
       { field: 'burst', value: count },
     );
   }

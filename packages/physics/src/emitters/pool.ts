@@ -11,8 +11,10 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
 import { BURST_BYTES, EMITTER_BYTES, MAX_RAMPS, W } from './record.ts';
 
-/** The maximum number of pending bursts. */
-export const MAX_BURSTS = 256;
+/** The maximum number of bursts of a step: one for every particle that an emitter may have, and no fewer than 64. */
+export function maxBursts(capacity: number): number {
+  return Math.min(256, Math.max(64, capacity));
+}
 
 /** A lookup table of 256 colours per ramp. */
 const COLOR_BYTES = MAX_RAMPS * 1024;
@@ -38,7 +40,7 @@ export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolea
   if (found >= 0) return freeBlocks.splice(found, 1)[0];
   const { arena } = world.internal;
   const slots = capacity * (SLOT_BYTES + (reports ? ENDING_BYTES : 0));
-  const bytes = EMITTER_BYTES + MAX_BURSTS * BURST_BYTES + COLOR_BYTES + slots;
+  const bytes = EMITTER_BYTES + maxBursts(capacity) * BURST_BYTES + COLOR_BYTES + slots;
   const at = allocate(arena, bytes + 64, `an emitter of ${capacity} particles`);
   return { record: recordAt(arena.memory, at, EMITTER_BYTES), capacity, reports };
 }
@@ -56,7 +58,7 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
     return top - bytes;
   };
   words.fill(0);
-  words[W.bursts] = allocateBytes(MAX_BURSTS * BURST_BYTES);
+  words[W.bursts] = allocateBytes(maxBursts(capacity) * BURST_BYTES);
   words[W.colors] = allocateBytes(COLOR_BYTES);
   words[W.bornAt] = allocateBytes(capacity * 8);
   if (reports) words[W.endedAt] = allocateBytes(capacity * 48);
