@@ -35,10 +35,8 @@ export function prepareTree(w: NBody, dimensions: i32, law: i32): void {
   buildTree(w, dimensions, law == 2 ? 3 : 2);
   for (let g = 0; g < w.groupCount; g++) {
     const at = w.groups + ((<usize>g) << 3);
-    const first = load<i32>(at);
-    const last = load<i32>(at, 4);
-    boundGroup(w, first, last);
-    put(w.groupFields, g, fieldScale(w, first, last, law == 2));
+    boundGroup(w, load<i32>(at), load<i32>(at, 4));
+    put(w.groupFields, g, fieldScale(w, law == 2));
   }
   const median = approximateMedian(w.counts, w.groupFields, sizeof<real>(), w.groupCount);
   const minField = <real>(MIN_FIELD_FRACTION * median);
@@ -48,10 +46,8 @@ export function prepareTree(w: NBody, dimensions: i32, law: i32): void {
 // Builds the interaction lists of group `g`.
 export function listGroupInteractions(w: NBody, g: i32, law: i32): void {
   const at = w.groups + ((<usize>g) << 3);
-  const first = load<i32>(at);
-  const last = load<i32>(at, 4);
-  boundGroup(w, first, last);
-  listInteractions(w, first, last, <real>(w.tolerance * <f64>get(w.groupFields, g)), law == 2);
+  boundGroup(w, load<i32>(at), load<i32>(at, 4));
+  listInteractions(w, <real>(w.tolerance * <f64>get(w.groupFields, g)), law == 2);
 }
 
 // Computes the accelerations of all bodies, in tree order. `signed` means that strengths have both signs, so that cells

@@ -34,9 +34,9 @@ function powerOfTwo(exponent: i64): f64 {
   return reinterpret<f64>((<u64>(clamped + 1023)) << 52);
 }
 
-// The unit of length is at most 2 to this power times the typical distance of the bodies from the origin, and at least 2
-// to the other power times their extent. So a few bodies far away, as after close encounters, leave the others what the
-// seventh power of a distance needs of the range of `real`; and the fifth power of the extent does not exceed it.
+// The unit of length is at most 2^TYPICAL_EXPONENT times the geometric mean of the distances from the origin, and at least
+// 2^extentExponent() times the extent. So a few bodies far away, ejected by close encounters, do not make the seventh power
+// of the distances of all others underflow, and the fifth power of the extent does not overflow.
 const TYPICAL_EXPONENT: i64 = 6;
 // @ts-ignore: decorator
 @inline function extentExponent(): i64 {

@@ -9,6 +9,9 @@
 import { get } from '../memory/columns';
 import { LINK_BYTES, NBody, NEAR2, NODE_BYTES, REAL, SIZE } from './workspace';
 
+// The current group: its positions [groupFirst, groupLast) in tree order, and its bounding box.
+let groupFirst: i32 = 0;
+let groupLast: i32 = 0;
 let boxX: real = 0;
 let boxY: real = 0;
 let boxZ: real = 0;
@@ -16,8 +19,10 @@ let halfX: real = 0;
 let halfY: real = 0;
 let halfZ: real = 0;
 
-// Computes the bounding box of positions [first, last) in tree order, as centre and half sides.
+// Makes positions [first, last) the current group, and computes its bounding box as centre and half sides.
 export function boundGroup(w: NBody, first: i32, last: i32): void {
+  groupFirst = first;
+  groupLast = last;
   let lowX = get(w.px, first);
   let lowY = get(w.py, first);
   let lowZ = get(w.pz, first);
@@ -44,17 +49,16 @@ export function boundGroup(w: NBody, first: i32, last: i32): void {
   halfZ = half * (highZ - lowZ);
 }
 
-// Whether a cell contains the bodies at positions [first, last). It is no good approximation to them even if they are
-// far from its centre, as both of two distant clusters are.
+// Whether a cell contains the current group. Its moments do not approximate the group's own bodies, even if these are far
+// from its centre, as both of two distant clusters are.
 // @ts-ignore: decorator
-@inline function contains(link: usize, first: i32, last: i32): bool {
-  return load<i32>(link, 4) <= first && last <= load<i32>(link, 8);
+@inline function containsGroup(link: usize): bool {
+  return load<i32>(link, 4) <= groupFirst && groupLast <= load<i32>(link, 8);
 }
 
-// Returns the magnitude of the field at the centre of the current group, of positions [first, last), from a coarse
-// traversal. The contribution of a cell is limited to its value at the box's corners, so that a close pair near the
-// centre does not dominate.
-export function fieldScale(w: NBody, first: i32, last: i32, inverseSquare: bool): real {
+// Returns the magnitude of the field at the centre of the current group, from a coarse traversal. The contribution of a
+// cell is limited to its value at the box's corners, so that a close pair near the centre does not dominate.
+export function fieldScale(w: NBody, inverseSquare: bool): real {
   let ax: f64 = 0;
   let ay: f64 = 0;
   let az: f64 = 0;
@@ -68,7 +72,7 @@ export function fieldScale(w: NBody, first: i32, last: i32, inverseSquare: bool)
     const dz = <f64>(load<real>(p + 2 * REAL) - boxZ);
     const d2 = dx * dx + dy * dy + dz * dz;
     const near2 = <f64>load<real>(p + NEAR2);
-    if (next == node + 1 || (d2 > near2 && !contains(link, first, last))) {
+    if (next == node + 1 || (d2 > near2 && !containsGroup(link))) {
       const u = max<f64>(d2 + near2, corner2);
       const k = <f64>load<real>(p + 3 * REAL) / (inverseSquare ? u * sqrt<f64>(u) : u);
       ax += k * dx;
@@ -82,9 +86,9 @@ export function fieldScale(w: NBody, first: i32, last: i32, inverseSquare: bool)
   return <real>sqrt<f64>(ax * ax + ay * ay + az * az);
 }
 
-// Fills the lists of the current group, of positions [first, last): node addresses in `cells` and, for coincident
-// bodies, in `points`; index ranges of bodies in `ranges`.
-export function listInteractions(w: NBody, first: i32, last: i32, allowed: real, inverseSquare: bool): void {
+// Fills the lists of the current group: node addresses in `cells` and, for coincident bodies, in `points`; index ranges
+// of bodies in `ranges`.
+export function listInteractions(w: NBody, allowed: real, inverseSquare: bool): void {
   const nodeCount = w.nodeCount;
   const nodes = w.nodes;
   const links = w.links;
@@ -105,7 +109,7 @@ export function listInteractions(w: NBody, first: i32, last: i32, allowed: real,
     const d2 = dx * dx + dy * dy + dz * dz;
     const d4 = d2 * d2;
     const isAccurate = d2 > load<real>(p + NEAR2) && size <= allowed * (inverseSquare ? d4 * sqrt<real>(d2) : d4);
-    if (isAccurate && !contains(link, first, last)) {
+    if (isAccurate && !containsGroup(link)) {
       if (size >= 0) {
         store<u32>(cell, <u32>p);
         cell += 4;
@@ -117,17 +121,17 @@ export function listInteractions(w: NBody, first: i32, last: i32, allowed: real,
       pairs++;
       node = next;
     } else if (next == node + 1) {
-      const from = load<i32>(link, 4);
-      const end = load<i32>(link, 8);
-      if (from == lastEnd) {
-        store<i32>(range - 8, end, 4);
+      const first = load<i32>(link, 4);
+      const last = load<i32>(link, 8);
+      if (first == lastEnd) {
+        store<i32>(range - 8, last, 4);
       } else {
-        store<i32>(range, from);
-        store<i32>(range, end, 4);
+        store<i32>(range, first);
+        store<i32>(range, last, 4);
         range += 8;
       }
-      lastEnd = end;
-      pairs += end - from;
+      lastEnd = last;
+      pairs += last - first;
       node = next;
     } else {
       node++;

@@ -1,8 +1,8 @@
 // The uniform grid of the broad phase: it chooses the cell size and assigns each body to a bucket.
 //
-// A cell is as wide as the largest diameter, so that touching bodies lie in the same or in adjacent cells. Some much
-// larger bodies would overfill every cell: they stay out of the grid and are tested against all bodies, if they are 16 at
-// most, or if that takes fewer tests.
+// A cell is as wide as the largest diameter, so that touching bodies lie in the same or in adjacent cells. Bodies much
+// larger than the rest would overfill every cell: they stay out of the grid and are tested against all bodies, if they are
+// 16 at most, or if that takes fewer tests.
 // Cells map to a power-of-two table of buckets: cell (i, j, k) is bucket (i + stride j + layer k) mod size. Neighbours
 // in x are therefore adjacent in memory, the extent of the scene costs no memory, and distant cells that share a bucket
 // only cost extra tests. `stride` and `layer` keep the buckets of the 9 (27) adjacent cells distinct, so that no pair

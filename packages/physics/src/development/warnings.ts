@@ -249,12 +249,12 @@ function warnAboutRepeatedForces(world: PhysicsWorld): void {
 }
 
 /** Identifies laws with equal constants, those of `restrictForce` included. Functions of a user may differ in what they compute. */
-function signatureOf(world: PhysicsWorld, { name, law, sources = [], parameters }: Force): string | undefined {
+function signatureOf(world: PhysicsWorld, { name, law, sources = [] }: Force): string | undefined {
   if (law === undefined || sources.some(({ when }) => when !== 'once')) return undefined;
   const constants = sources.map((source) => {
     const values = new Float64Array(3);
     source.write(world, values, 0, world.time);
     return [...values];
   });
-  return JSON.stringify([name, law.structure, parameters, constants]);
+  return JSON.stringify([name, law.structure, constants]);
 }

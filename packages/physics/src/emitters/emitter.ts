@@ -211,8 +211,8 @@ export interface BurstOptions {
 
 /**
  * Creates `count` particles at once, at the next step.
- * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond 256 bursts per step, or
- *   beyond as many as the emitter has particles if these are fewer, though at least 64
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_STALE, E_DESTROYED; E_CAPACITY beyond
+ *   the maximum of bursts per step, which is the capacity of the emitter, but at least 64 and at most 256
  */
 export function burst(emitter: Emitter, count: number, options: BurstOptions = NO_OPTIONS): void {
   const { words } = recordOf(emitter);

@@ -54,12 +54,12 @@ interface Symbols {
   readonly innerRadius: Scalar;
 }
 
-/** The exponent as a number where the power is a product, so that it is compiled; else it is read from the parameters. */
-function compiled(n: number, exponent: Scalar): ScalarInput {
+/** The exponent as a constant where that makes the power a product; else as a parameter, so that laws share their code. */
+function exponentOf(n: number, exponent: Scalar): ScalarInput {
   return isShortPower(n) ? n : exponent;
 }
 
-/** Common exponents avoid the power, which costs many times the rest. */
+/** The exponents 1 and -2 take fewer operations than the general form, and have a wider range in f32. */
 function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbols) => Vector {
   if (n === 1 && reachesCentre) return (r, { strength }) => r.mul(strength);
   return (r, { strength, exponent, innerRadius }) => {
@@ -70,7 +70,7 @@ function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbol
     const magnitude =
       n === -2
         ? strength.mul(inverse).mul(inverse)
-        : select(isOutside, strength.mul(distance.pow(compiled(n, exponent))), 0);
+        : select(isOutside, strength.mul(distance.pow(exponentOf(n, exponent))), 0);
     return r.mul(inverse).mul(magnitude);
   };
 }
@@ -78,7 +78,7 @@ function fieldOf(n: number, reachesCentre: boolean): (r: Vector, symbols: Symbol
 function energyOf(n: number): (r: Vector, symbols: Symbols) => Scalar {
   return (r, { strength, exponent, innerRadius }) => {
     const distance = r.length().max(innerRadius);
-    const magnitude = n === -1 ? distance.log() : distance.pow(compiled(n + 1, exponent.add(1))).div(exponent.add(1));
+    const magnitude = n === -1 ? distance.log() : distance.pow(exponentOf(n + 1, exponent.add(1))).div(exponent.add(1));
     // At r = 0, where the potential may be infinite, it is set to 0.
     return select(distance.greater(0), strength.mul(magnitude), 0).negate();
   };

@@ -104,7 +104,7 @@ export class Scalar extends Expression {
   log(): Scalar {
     return new Scalar('log', [this]);
   }
-  /** With a number for an exponent that is whole or half and at most 8, a few products; else some 120 ns a body. */
+  /** An exponent that is a whole or half number up to 8 costs a few products, any other some 120 ns a body. */
   pow(exponent: ScalarInput): Scalar {
     return this.#with('pow', exponent);
   }

@@ -232,7 +232,7 @@ describe('the tree', () => {
     expect(after.error).toBeLessThan(0.005);
   });
 
-  test('attracts all others if one body is at the end of the world', () => {
+  test('keeps the forces of all others if one body has the largest coordinate there is', () => {
     const made = cloud('plummer', 3000, 3);
     made.x[0] = 1e15;
     const { error } = settled(made, { precision: 'f32' });

@@ -68,7 +68,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   throwStepErrors(world);
 }
 
-/** Where bodies come and go all the time, a review goes through all rows no more often than that many rows a step. */
+/** Reviews go through all rows. Where bodies come and go in every step, they look at this many rows a step on average. */
 const REVIEWED_ROWS = 1000;
 
 /** Warns about probable mistakes whenever the plan, the handlers or the set of components has changed. */

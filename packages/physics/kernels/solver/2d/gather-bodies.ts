@@ -117,7 +117,8 @@ export function listAwake(t: RigidTable): void {
   if (t.partCount > 0) placeParts(t);
 }
 
-// Whether what is known of a body that does not move still holds. A body without a box is new, or collides with nothing.
+// Whether pose and collider of a static body are those of the last step. A body without a box is new, or collides with
+// nothing.
 function isUnchanged(c: Columns, t: RigidTable, row: i32): bool {
   const pose = poseOf(t, row);
   if (isForgotten(rowBox(t, row)) || get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return false;
@@ -207,6 +208,7 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   turnTo(<f64>get(t.angle, row));
   if ((flags & STATIC) != 0 && (hasMoved(c, pose, row) || ((flags & COLLIDES) != 0 && hasNewCollider(t, row))))
     putFlags(t, row, flags | SHIFTED);
+  if ((flags & STATIC) != 0) sleeperOf(t, row).angle = get(t.angle, row);
   pose.x = get(c.positionX, row);
   pose.y = get(c.positionY, row);
   pose.c = <real>sineCosine.cosine;
@@ -231,7 +233,6 @@ function readExtents(t: RigidTable, row: i32): void {
     return;
   }
   recordCollider(t, row);
-  if ((flagsOf(t, row) & STATIC) != 0) sleeperOf(t, row).angle = get(t.angle, row);
   const shape = shapeOf(row, spare);
   pose.extent = shape.extent;
   pose.minExtent = shape.minExtent;
