@@ -1,5 +1,5 @@
 // A run of the bench: creates the scene, steps it alternately with its peers, and measures the cost.
-import { energy, INTEGRATORS, startProfile, stateHash, step, stopProfile } from '@principia/physics';
+import { destroyWorld, energy, INTEGRATORS, startProfile, stateHash, step, stopProfile } from '@principia/physics';
 import type { SceneRun } from '@principia/scenes';
 import type { RunRequest } from './arguments.ts';
 import { measureCreation } from './creation.ts';
@@ -7,11 +7,15 @@ import { measureSteps } from './measure.ts';
 import { garbageBytesPerStep } from './memory.ts';
 import { applyVariant, variantParameters } from './particles-variants.ts';
 import { peersOf } from './peers/all.ts';
+import { warmUp } from './peers/warm-up.ts';
 import { startProgress } from './progress.ts';
 import { compareWithReference } from './reference.ts';
 import { echo, type Result, thisMachine } from './result.ts';
 import { measureScaling, type ScalingPoint } from './scaling.ts';
 import { summarise } from './statistics.ts';
+
+/** Bodies of the world whose steps are not timed. */
+const FEW = 64;
 
 /** The result, and every timed step of ours for the report. */
 export interface Outcome {
@@ -29,6 +33,10 @@ export async function runBench(request: RunRequest): Promise<Outcome> {
   const run = applyVariant(made, variant);
   making.end();
   const advance = stepOf(run);
+  const few = Math.min(count, Math.max(FEW, scene.parameters.count.min));
+  const practice = applyVariant(scene.create({ ...options, count: few }), variant);
+  await warmUp(stepOf(practice));
+  destroyWorld(practice.world);
   const makers = request.peers ? peersOf(scene.name) : [];
 
   const stepping = startProgress('stepping', steps);

@@ -5,6 +5,7 @@ import { pathToFileURL } from 'node:url';
 import { MAX_POSITION, MAX_SPEED, type PhysicsWorld, type Precision } from '@principia/physics';
 import type { Particles, SceneRun } from '@principia/scenes';
 import type { Peer } from './peer.ts';
+import { warmUp } from './warm-up.ts';
 
 /** The exports of the kernel. */
 interface Kernel {
@@ -28,6 +29,9 @@ export interface FusedPeer extends Peer {
   readonly previous: Peer['positions'];
 }
 
+/** Rows that the kernel practises on. */
+const ROWS = 1024;
+
 export async function fusedSimd(run: SceneRun): Promise<FusedPeer> {
   const { world, dt, gravity, side, restitution } = run as Particles;
   const memory = new WebAssembly.Memory({ initial: 2 });
@@ -36,12 +40,14 @@ export async function fusedSimd(run: SceneRun): Promise<FusedPeer> {
   kernel.configure(0, side, gravity, restitution, MAX_POSITION, MAX_SPEED, dt);
   const last = Math.ceil((world.lastId + 1) / 16) * 16;
   const Real = world.precision === 'f32' ? Float32Array : Float64Array;
-  const columns = columnsOf(world).map((values, index) => {
-    const column = new Real(memory.buffer, kernel.columnAt(index), last);
-    column.set(values.subarray(0, Math.min(last, values.length)));
-    return column;
-  });
   const step = world.dimensions === 2 ? kernel.fused2d : kernel.fused3d;
+  const columns = columnsOf(world).map((_, index) => new Real(memory.buffer, kernel.columnAt(index), last));
+  const fill = () => {
+    for (const [index, values] of columnsOf(world).entries()) columns[index].set(values.subarray(0, last));
+  };
+  fill();
+  await warmUp(() => step(0, Math.min(last, ROWS)));
+  fill();
   return {
     name: 'hand-fused SIMD kernel',
     step() {
