@@ -62,17 +62,13 @@ function checkVector(emitter: NodeEmitter, source: LoopSource, results: readonly
   code.add('end');
 }
 
-function emitFailures(emitter: NodeEmitter, { inRange, walls, types }: LoopSource): void {
+function emitFailures(emitter: NodeEmitter, { inRange, walls }: LoopSource): void {
   const { code } = emitter;
   if (inRange !== undefined) {
     pushFails(emitter, inRange);
     code.add('local.get', LOCALS.checked).add('i32.and').add('if');
     if (walls !== undefined) storeListEnd(emitter, walls, LOCALS.listStart);
-    code
-      .add('local.get', LOCALS.offset)
-      .add('i32.const', types.stored === 'f32' ? 2 : 3)
-      .add('i32.shr_u')
-      .add('return');
+    code.add('local.get', LOCALS.offset).add('i32.const', emitter.realShift).add('i32.shr_u').add('return');
     code.add('end');
   }
   if (walls === undefined) return;

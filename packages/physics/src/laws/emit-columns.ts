@@ -6,28 +6,23 @@ export class ColumnEmitter extends UniformEmitter {
   /** Which of the vectors of an iteration is emitted. */
   protected vector = 0;
 
-  /** Bytes from `offset` to the current vector in a column with values of this size. */
-  #ahead(bytes: number): number {
-    return this.vector * this.lanes * bytes;
-  }
-
-  /** Bytes of a stored real. */
-  get #realBytes(): number {
-    return this.types.stored === 'f32' ? 4 : 8;
+  /** Bytes from `offset` to the current vector in a column with values of this binary logarithm of their size. */
+  #ahead(shift: number): number {
+    return (this.vector * this.lanes) << shift;
   }
 
   /** Pushes the byte offset of the current vector in each column of reals. */
   pushOffset(): void {
     const { code } = this;
     code.add('local.get', this.offset);
-    if (this.vector > 0) code.add('i32.const', this.#ahead(this.#realBytes)).add('i32.add');
+    if (this.vector > 0) code.add('i32.const', this.#ahead(this.realShift)).add('i32.add');
   }
 
   /** Stores a local in a column of reals. */
   storeReal(address: number, local: number, note: string | undefined): void {
     const { code } = this;
     code.add('local.get', this.offset).add('local.get', local);
-    code.memory('v128.store', address + this.#ahead(this.#realBytes), note);
+    code.memory('v128.store', address + this.#ahead(this.realShift), note);
   }
 
   /** Loads reals of a column. */
@@ -35,7 +30,7 @@ export class ColumnEmitter extends UniformEmitter {
     const { stored, computed } = this.types;
     this.code.add('local.get', this.offset);
     const name = stored === computed ? 'v128.load' : 'v128.load64_zero';
-    this.code.memory(name, address + this.#ahead(this.#realBytes), this.noteOf(address));
+    this.code.memory(name, address + this.#ahead(this.realShift), this.noteOf(address));
     if (stored !== computed) this.code.add('f64x2.promote_low_f32x4');
   }
 
@@ -45,7 +40,7 @@ export class ColumnEmitter extends UniformEmitter {
     code.add('local.get', this.offset);
     if (this.types.stored === 'f64') code.add('i32.const', 1).add('i32.shr_u');
     const name = this.lanes === 4 ? 'v128.load' : 'v128.load64_zero';
-    code.memory(name, address + this.#ahead(4), this.noteOf(address));
+    code.memory(name, address + this.#ahead(2), this.noteOf(address));
   }
 
   /** Loads integers of a column, converted to reals. */

@@ -1,45 +1,24 @@
-// Translates nodes to instructions. A uniform node is computed once before the loop. Other nodes are computed in
-// 128-bit vectors, and kept in a local if more than one node uses them.
-import { countUses, type NodeUses, sharedOf } from './count-uses.ts';
+// Translates nodes to instructions. What differs between bodies is computed in 128-bit vectors, and kept in a local if more
+// than one node uses it.
+import { countUses, type NodeUses } from './count-uses.ts';
+import { BroadcastEmitter } from './emit-broadcast.ts';
 import { emitCalls } from './emit-calls.ts';
-import { ColumnEmitter } from './emit-columns.ts';
 import { emitSum } from './emit-sum.ts';
 import { BITS, FUNCTIONS, LANES, SIGNS } from './lane-operations.ts';
 import type { Node } from './node.ts';
 import type { SumScope } from './table.ts';
 
 /** Emits nodes of all kinds. */
-export class NodeEmitter extends ColumnEmitter {
+export class NodeEmitter extends BroadcastEmitter {
   #uses: NodeUses = { nodes: [], counts: new Map(), sums: new Map() };
-  /** Locals of uniform nodes, broadcast to all lanes. */
-  readonly #spreads = new Map<Node, number>();
   /** Locals of values for the current bodies, for each vector of an iteration. */
   #locals: Map<Node, number>[] = [];
-
-  /** Local of the mask of the sign bits of all lanes. */
-  #signs = 0;
 
   /** Computes uniform values. Called once before the loop, with all roots of the loop and the vectors of an iteration. */
   begin(roots: readonly Node[], vectors: number): void {
     this.#uses = countUses(roots);
     this.#locals = Array.from({ length: vectors }, () => new Map<Node, number>());
-    const { nodes } = this.#uses;
-    for (const node of sharedOf(this.#uses)) this.shared.add(node);
-    for (const node of nodes) if (this.shared.has(node) && node.scope === undefined) this.#hoist(node, true);
-    for (const node of nodes) {
-      if (node.isUniform) continue;
-      const asDoubles = FUNCTIONS.has(node.op);
-      for (const arg of node.args) if (arg.isUniform && arg.scope === undefined) this.#hoist(arg, asDoubles);
-    }
-    for (const node of nodes) {
-      const inRows = node.isUniform && node.scope !== undefined;
-      if (inRows || node.op === 'sum')
-        for (const arg of node.args) if (arg.isUniform && !arg.scope) this.#hoist(arg, true);
-    }
-    for (const root of roots) if (root.isUniform) this.#hoist(root, false);
-    if (!nodes.some(({ op, isUniform }) => SIGNS[op] !== undefined && !isUniform)) return;
-    this.#signs = this.local('v128');
-    this.code.add('v128.const', ...this.vectorOf(-0)).add('local.set', this.#signs);
+    this.hoistUniforms(roots, this.#uses);
   }
 
   /** Values computed by `emit` are valid only inside the branch. */
@@ -87,7 +66,7 @@ export class NodeEmitter extends ColumnEmitter {
 
   /** Computes a node into a local and returns the local. */
   toLocal(node: Node): number {
-    if (node.isUniform && node.scope === undefined) return this.#spreads.get(node) as number;
+    if (node.isUniform && node.scope === undefined) return this.spreads.get(node) as number;
     const cached = this.#known.get(node);
     if (cached !== undefined) return cached;
     this.#compute(node);
@@ -97,7 +76,7 @@ export class NodeEmitter extends ColumnEmitter {
   /** Pushes a node in lanes. */
   push(node: Node): void {
     const { code } = this;
-    const spread = this.#spreads.get(node);
+    const spread = this.spreads.get(node);
     const local = spread ?? this.#known.get(node);
     if (local !== undefined) {
       code.add('local.get', local);
@@ -122,37 +101,11 @@ export class NodeEmitter extends ColumnEmitter {
     return local;
   }
 
-  #hoist(node: Node, asDouble: boolean): void {
-    const locals = asDouble ? this.doubles : this.#spreads;
-    if (locals.has(node)) return;
-    if (asDouble) this.pushDouble(node);
-    else this.#spread(node);
-    const local = this.local(!asDouble ? 'v128' : node.isMask ? 'i32' : 'f64');
-    locals.set(node, local);
-    this.code.add('local.set', local);
-  }
-
-  /** Pushes a uniform node, broadcast to all lanes. */
-  #spread(node: Node): void {
-    const { code } = this;
-    if (node.op === 'constant' || node.op === 'zero') {
-      code.add('v128.const', ...this.vectorOf(node.value));
-    } else if (node.isMask) {
-      code.add('i32.const', 0);
-      this.pushDouble(node);
-      code.add('i32.sub').add('i32x4.splat');
-    } else {
-      this.pushDouble(node);
-      if (this.types.computed === 'f32') code.add('f32.demote_f64');
-      this.lane('splat');
-    }
-  }
-
   /** Computes a node in lanes, without a cached value. */
   #compute(node: Node): void {
     const { op, args, value } = node;
     const { code } = this;
-    if (node.isUniform) this.#spread(node);
+    if (node.isUniform) this.spread(node);
     else if (op === 'real') this.pushReal(value);
     else if (op === 'word') this.pushWord(value);
     else if (op === 'entity') this.pushEntity();
@@ -167,7 +120,7 @@ export class NodeEmitter extends ColumnEmitter {
       code.add(op === 'select' ? 'v128.bitselect' : 'v128.and');
     } else {
       for (const arg of args) this.push(arg);
-      if (SIGNS[op] !== undefined) code.add('local.get', this.#signs);
+      if (SIGNS[op] !== undefined) code.add('local.get', this.signs);
       const name = SIGNS[op] ?? BITS[op];
       if (name === undefined) this.lane(LANES[op] as string);
       else code.add(name);

@@ -18,6 +18,8 @@ export class FunctionBuilder {
   readonly imports: Operation[] = [];
   /** Bodies per vector. */
   readonly lanes: 2 | 4;
+  /** The binary logarithm of the bytes of a stored real. */
+  readonly realShift: 2 | 3;
 
   /**
    * @param parameters number of the function's parameters
@@ -31,6 +33,7 @@ export class FunctionBuilder {
     readonly noteOf: (address: number) => string | undefined,
   ) {
     this.lanes = types.computed === 'f32' ? 4 : 2;
+    this.realShift = types.stored === 'f32' ? 2 : 3;
   }
 
   /** Adds a local. */
