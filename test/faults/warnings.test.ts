@@ -17,7 +17,9 @@ import {
   revolute,
   rgba,
   rigidBodies,
+  type SoftStepOptions,
   type System,
+  softStep,
   spawn,
   spawnMany,
   springs,
@@ -295,4 +297,24 @@ it('says when a joint is made beyond its limits, once for each kind', () => {
       'a revolute joint was made beyond its limits: its coordinate is 0, less than its lower limit, 0.5. It is pulled there at once.',
   );
   expect(warnings[1].hint).toContain('let the limits include 0');
+});
+
+it('says that contacts let small bodies sink in, and by how much', () => {
+  const rest = (edge: number, options: SoftStepOptions = {}) => {
+    const integrator = softStep({ sleepTime: 0, ...options });
+    const { world, messages } = listen({ preset: rigidBodies, forces: [uniformGravity({ y: -10 })], integrator });
+    spawn(world, { position: { y: -1 }, collider: { shape: box(2, 2) } });
+    const [lower, upper] = [0.5, 1.5].map((y) =>
+      spawn(world, { position: { y: y * edge }, collider: { shape: box(edge, edge), density: 1 } }),
+    );
+    for (let i = 0; i < 240; i++) step(world, 1 / 60);
+    const { y } = world.components.Position;
+    return { messages: messages(), overlap: edge - (y[upper] - y[lower]) };
+  };
+  const dice = rest(0.01);
+  // 2.5 g/ω² at 30 Hz: 25/(60 π)² = 0.7036 mm, 10 % of 7.1 mm.
+  expect(dice.messages).toContain('presses it 0.7 mm into another like it, 10 % of its radius');
+  expect(dice.overlap / (25 / (60 * Math.PI) ** 2)).toBeCloseTo(1, 4);
+  expect(rest(0.02).messages).toBe('');
+  expect(rest(0.01, { substeps: 16, contactHertz: 120 }).messages).toBe('');
 });

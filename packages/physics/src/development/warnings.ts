@@ -70,10 +70,11 @@ export function warnAboutColor(world: PhysicsWorld, color: unknown): void {
 }
 
 /**
- * Warns about components, handlers and forces that had no effect in the step that has just ended.
+ * Warns about components, handlers and forces that had no effect in the step that has just ended, and about bodies that it
+ * cannot follow.
  * @param ignoredEvents events that have handlers and that no system dispatches
  */
-export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: readonly string[]): void {
+export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, ignoredEvents: readonly string[]): void {
   warnAboutWalls(world, plan);
   for (const event of ignoredEvents) {
     warnOnce(world, {
@@ -92,6 +93,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, ignoredEvents: r
   warnAboutMissingPositions(world);
   warnAboutSurfaces(world, plan);
   warnAboutBodiesThatDoNotTurn(world);
+  warnAboutSmallBodies(world, dt);
 }
 
 function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
@@ -219,6 +221,42 @@ function warnAboutBodiesThatDoNotTurn(world: PhysicsWorld): void {
   warnOnce(world, warning, 'no AngularVelocity');
 }
 
+/** A body may press itself into another like it by this part of its radius. */
+const MOST_SUNK = 0.05;
+
+/**
+ * Depth to which a box presses itself into an equal one, in g/ω²: each of two corners carries half of the weight, and moves as 2/5
+ * of the mass does, because it also turns its box, and the other box gives way as much.
+ */
+const DEPTH_OF_BOXES = 2.5;
+
+/** Soft contacts give way by a length that does not depend on how small a body is. */
+function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
+  const gravity = world.forces.find(({ name }) => name === 'uniform gravity');
+  const compliance = world.integrator.contactCompliance?.(dt);
+  if (gravity === undefined || compliance === undefined) return;
+  const depth = DEPTH_OF_BOXES * compliance * Math.hypot(...constantsOf(world, gravity)[0]);
+  const { Collider, Mass } = world.components;
+  const { members } = world.internal;
+  const scaled = bitOf('GravityScale');
+  const small = firstRow(
+    world,
+    (id) =>
+      Mass.value[id] > 0 &&
+      (members[id] & scaled) === 0 &&
+      Collider.radius[id] > 0 &&
+      Collider.radius[id] * MOST_SUNK < depth,
+  );
+  if (small === 0) return;
+  const millimetres = Number((1000 * depth).toPrecision(2));
+  const part = Math.round((100 * depth) / Collider.radius[small]);
+  const warning = {
+    message: `body ${small} is small for these steps: its weight presses it ${millimetres} mm into another like it, ${part} % of its radius.`,
+    hint: 'Contacts are springs that sub-steps can follow: take more of them and stiffer ones, such as softStep({ substeps: 16, contactHertz: 120 }).',
+  };
+  warnOnce(world, warning, 'small');
+}
+
 /** The first row that has what is asked for, 0 if there is none. */
 function firstRow({ lastId }: PhysicsWorld, has: (id: number) => boolean): number {
   for (let id = 1; id <= lastId; id++) if (has(id)) return id;
@@ -249,12 +287,17 @@ function warnAboutRepeatedForces(world: PhysicsWorld): void {
 }
 
 /** Identifies laws with equal constants, those of `restrictForce` included. Functions of a user may differ in what they compute. */
-function signatureOf(world: PhysicsWorld, { name, law, sources = [] }: Force): string | undefined {
+function signatureOf(world: PhysicsWorld, force: Force): string | undefined {
+  const { name, law, sources = [] } = force;
   if (law === undefined || sources.some(({ when }) => when !== 'once')) return undefined;
-  const constants = sources.map((source) => {
+  return JSON.stringify([name, law.structure, constantsOf(world, force)]);
+}
+
+/** What the parameters of a law are now. */
+function constantsOf(world: PhysicsWorld, { sources = [] }: Force): number[][] {
+  return sources.map((source) => {
     const values = new Float64Array(3);
     source.write(world, values, 0, world.time);
     return [...values];
   });
-  return JSON.stringify([name, law.structure, constants]);
 }

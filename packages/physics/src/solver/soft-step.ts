@@ -73,6 +73,9 @@ const OPTIONS = [
   'shouldCollide',
 ] as const;
 
+/** Contacts are springs of at most this part of the rate of sub-steps; kernels/solver/2d/prepare-contacts.ts has the same. */
+const MAX_PART_OF_RATE = 0.125;
+
 /**
  * The integrator of the preset `rigidBodies`, with other settings than its own.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
@@ -89,8 +92,9 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
   const { shouldCollide } = options;
   if (shouldCollide !== undefined) checkFunction(shouldCollide, 'softStep.shouldCollide');
   const substeps = number('substeps', 4, 1, 1000, true);
+  const contactHertz = number('contactHertz', 30, 0.1, 1e6);
   const values: readonly (readonly [Value, number])[] = [
-    [Value.contactHertz, number('contactHertz', 30, 0.1, 1e6)],
+    [Value.contactHertz, contactHertz],
     [Value.contactDampingRatio, number('contactDampingRatio', 10, 0, 1000)],
     [Value.contactSpeed, number('contactSpeed', 3, 0, 1e6)],
     [Value.sleepSpeed, number('sleepSpeed', 0.05, 0, 1e6)],
@@ -110,6 +114,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     solvesWalls: true,
     // As of semi-implicit Euler with the length of a sub-step.
     isStable: (stiffness, damping) => stiffness / (substeps * substeps) + (2 * damping) / substeps <= 4,
+    contactCompliance: (dt) => (2 * Math.PI * Math.min(contactHertz, (MAX_PART_OF_RATE * substeps) / dt)) ** -2,
     prepare(world) {
       assertPreset(world);
       refuseUnsupported(world);

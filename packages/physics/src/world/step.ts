@@ -83,7 +83,7 @@ function review(world: PhysicsWorld, plan: Plan, dt: number): void {
   reviewed.plan = plan;
   reviewed.membership = world.versions.membership;
   warnAboutDuration(world, dt, 'step');
-  warnAboutWorld(world, plan, ignoredEvents(world));
+  warnAboutWorld(world, plan, dt, ignoredEvents(world));
 }
 
 /**
