@@ -235,7 +235,8 @@ function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
   const gravity = world.forces.find(({ name }) => name === 'uniform gravity');
   const compliance = world.integrator.contactCompliance?.(dt);
   if (gravity === undefined || compliance === undefined) return;
-  const depth = DEPTH_OF_BOXES * compliance * Math.hypot(...constantsOf(world, gravity)[0]);
+  const [x, y] = constantsOf(world, gravity)[0];
+  const depth = DEPTH_OF_BOXES * compliance * Math.sqrt(x * x + y * y);
   const { Collider, Mass } = world.components;
   const { members } = world.internal;
   const scaled = bitOf('GravityScale');
