@@ -130,7 +130,10 @@ export const LAW_RECORDS: readonly LawRecord[] = [
     title: 'enclosedGas in a skin',
     dimensions: 3,
   },
-  { ...law('clothWind', { triangles: TETRAHEDRON.slice(0, 3), velocity: { x: 1, z: 2 } }), dimensions: 3 },
+  {
+    ...law('clothWind', { triangles: TETRAHEDRON.slice(0, 3), velocity: { x: 1, z: 2 }, density: 1.2 }),
+    dimensions: 3,
+  },
 ];
 
 type Maker = (...args: readonly unknown[]) => Force;

@@ -46,11 +46,11 @@ export function run(world: PhysicsWorld, seconds: number, dt = 1 / 60, each?: ()
   }
 }
 
-/** Returns the force on a body, N, and the torque, N m. */
-export function forceOn(world: PhysicsWorld, eid: number, time = world.time) {
+/** Returns the force on a body, N, and the torque, N m, as at the start of a step of `dt`. */
+export function forceOn(world: PhysicsWorld, eid: number, time = world.time, dt = 1e-3) {
   bodies(world);
   world.internal.sweptRows = 16 * Math.ceil((world.lastId + 1) / 16);
-  prepareForces(world, 1e-3);
+  prepareForces(world, dt);
   const { kernels, addresses, scratch } = world;
   for (const axis of ['x', 'y', 'z'] as const) {
     kernels.copyColumn(
