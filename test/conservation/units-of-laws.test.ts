@@ -84,6 +84,7 @@ const OPTIONS: Readonly<Record<string, Readonly<Record<string, string>>>> = {
   springs: {},
   turbulentDrag: { mean: 'm/s', deviation: 'm/s', largest: 'm', smallest: 'm', time: 's' },
   polygonBuoyancy: { density: 'kg/m³', gravity: 'm/s²', level: 'm', vertices: 'm' },
+  // Of the gas in a ring a depth of one metre is meant.
   'enclosedGas in a ring': { amount: 'J', ambient: 'N/m', reference: 'm²' },
   'enclosedGas in a skin': { amount: 'J', ambient: 'Pa', reference: 'm³' },
   clothWind: { velocity: 'm/s', density: 'kg/m³' },
