@@ -8,6 +8,7 @@ import {
   createPhysicsWorld,
   createRope,
   createRunner,
+  defineForce,
   distance,
   linearDrag,
   on,
@@ -317,4 +318,12 @@ it('says that contacts let small bodies sink in, and by how much', () => {
   expect(dice.overlap / (25 / (60 * Math.PI) ** 2)).toBeCloseTo(1, 4);
   expect(rest(0.02).messages).toBe('');
   expect(rest(0.01, { substeps: 16, contactHertz: 120 }).messages).toBe('');
+});
+
+it('is not misled by a force of the name of gravity', () => {
+  const gravity = defineForce({ name: 'uniform gravity', equation: 'F = 0', reads: [], accumulate() {} });
+  const { world, messages } = listen({ preset: rigidBodies, forces: [gravity] });
+  spawn(world, { position: {}, collider: { shape: box(0.001, 0.001), density: 1 } });
+  step(world, 1 / 60);
+  expect(messages()).toBe('');
 });

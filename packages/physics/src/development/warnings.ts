@@ -235,22 +235,18 @@ function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
   const gravity = world.forces.find(({ name }) => name === 'uniform gravity');
   const compliance = world.integrator.contactCompliance?.(dt);
   if (gravity === undefined || compliance === undefined) return;
-  const [x, y] = constantsOf(world, gravity)[0];
+  // A force of the user may have this name as well.
+  const [[x, y] = [0, 0]] = constantsOf(world, gravity);
   const depth = DEPTH_OF_BOXES * compliance * Math.sqrt(x * x + y * y);
-  const { Collider, Mass } = world.components;
   const { members } = world.internal;
+  const { radius, sensor } = world.components.Collider;
   const scaled = bitOf('GravityScale');
-  const small = firstRow(
-    world,
-    (id) =>
-      Mass.value[id] > 0 &&
-      (members[id] & scaled) === 0 &&
-      Collider.radius[id] > 0 &&
-      Collider.radius[id] * MOST_SUNK < depth,
-  );
+  const isHeavy = (id: number) => world.components.Mass.value[id] > 0 && (members[id] & scaled) === 0;
+  const isSmall = (id: number) => radius[id] > 0 && radius[id] * MOST_SUNK < depth;
+  const small = firstRow(world, (id) => isSmall(id) && isHeavy(id) && sensor[id] === 0);
   if (small === 0) return;
   const millimetres = Number((1000 * depth).toPrecision(2));
-  const part = Math.round((100 * depth) / Collider.radius[small]);
+  const part = Math.round((100 * depth) / radius[small]);
   const warning = {
     message: `body ${small} is small for these steps: its weight presses it ${millimetres} mm into another like it, ${part} % of its radius.`,
     hint: 'Contacts are springs that sub-steps can follow: take more of them and stiffer ones, such as softStep({ substeps: 16, contactHertz: 120 }).',
