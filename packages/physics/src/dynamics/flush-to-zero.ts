@@ -20,8 +20,12 @@ const TINY = { f32: 1e-18, f64: 1e-150 };
  * wakes when they change.
  */
 export function flushToZero(world: PhysicsWorld, first: number, last: number): void {
-  const { addresses, dimensions, tick, integrator } = world;
-  if (tick % INTERVAL !== INTERVAL - 1) return;
+  // On its own, because a function with a closure makes an object in every step.
+  if (world.tick % INTERVAL === INTERVAL - 1) flushColumns(world, first, last);
+}
+
+function flushColumns(world: PhysicsWorld, first: number, last: number): void {
+  const { addresses, dimensions, integrator } = world;
   const turns = world.internal.counts.AngularVelocity > 0;
   const flush = (column: number) => world.kernels.flushToZero(column, TINY[world.precision], first, last);
   for (const axis of AXES[dimensions]) flush(addresses.Velocity[axis]);
