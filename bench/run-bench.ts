@@ -14,7 +14,7 @@ import { echo, type Result, thisMachine } from './result.ts';
 import { measureScaling, type ScalingPoint } from './scaling.ts';
 import { summarise } from './statistics.ts';
 
-/** Bodies of the world whose steps are not timed. */
+/** Bodies of the small world that is stepped first, if the scene can have so few. */
 const FEW = 64;
 
 /** The result, and every timed step of ours for the report. */

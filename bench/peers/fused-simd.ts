@@ -29,7 +29,7 @@ export interface FusedPeer extends Peer {
   readonly previous: Peer['positions'];
 }
 
-/** Rows that the kernel practises on. */
+/** Rows on which the kernel is warmed up. */
 const ROWS = 1024;
 
 export async function fusedSimd(run: SceneRun): Promise<FusedPeer> {

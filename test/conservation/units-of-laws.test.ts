@@ -101,20 +101,21 @@ function times(value: unknown, factor: number): unknown {
 function otherWorld(record: LawRecord, dimensions: 2 | 3): LawWorld {
   const units = OPTIONS[record.title] ?? OPTIONS[record.maker];
   const [first] = record.args as readonly { exponent?: number }[];
-  const args = record.args.map((options) =>
-    Object.fromEntries(
-      Object.entries(options as object).map(([name, value]) => {
-        const unit = units?.[name];
-        return [name, unit === undefined ? value : times(value, scaleOf(unit))];
-      }),
-    ),
-  );
   const made =
     units === undefined
       ? lawWorld(record, dimensions, { wrap: (force) => rescaled(force, first?.exponent ?? 0) })
-      : lawWorld({ ...record, args }, dimensions);
+      : lawWorld({ ...record, args: record.args.map((options) => optionsIn(units, options)) }, dimensions);
   rescaleColumns(made.world);
   return made;
+}
+
+/** Options of these units in the other ones. */
+function optionsIn(units: Readonly<Record<string, string>>, options: unknown): object {
+  const scaled = Object.entries(options as object).map(([name, value]) => [
+    name,
+    name in units ? times(value, scaleOf(units[name])) : value,
+  ]);
+  return Object.fromEntries(scaled);
 }
 
 /** Forces that a function of the user gives, and one that is held at a point, which no unit is known of. */

@@ -63,8 +63,8 @@ export function driveFrames(): void {
       // Watching takes time, and nothing is to depend on how much; the browser's own clock makes a number at each look.
       performance.now = () => now;
     },
-    __litter() {
-      littering = true;
+    __litter(on: boolean) {
+      littering = on;
       return litter;
     },
     __isAsked: () => count > 0,
@@ -114,9 +114,9 @@ export class GarbageWatch {
     await this.#page.evaluate(`__frames(${count})`);
   }
 
-  /** From now on something of the page's leaves an object in every frame. */
-  async litter(): Promise<void> {
-    await this.#page.evaluate('__litter()');
+  /** Whether something of the page's leaves an object in every frame from now on. */
+  async litter(on: boolean): Promise<void> {
+    await this.#page.evaluate(`__litter(${on})`);
   }
 
   /** What `count` frames make, the most first. What the browser's own functions make is their caller's. */

@@ -233,11 +233,11 @@ const DEPTH_OF_BOXES = 2.5;
 /** Soft contacts give way by a length that does not depend on how small a body is. */
 function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
   const gravity = world.forces.find(({ name }) => name === 'uniform gravity');
-  const compliance = world.integrator.contactCompliance?.(dt);
-  if (gravity === undefined || compliance === undefined) return;
+  const frequency = world.integrator.contactAngularFrequency?.(dt);
+  if (gravity === undefined || frequency === undefined) return;
   // A force of the user may have this name as well.
   const [[x, y] = [0, 0]] = constantsOf(world, gravity);
-  const depth = DEPTH_OF_BOXES * compliance * Math.sqrt(x * x + y * y);
+  const depth = (DEPTH_OF_BOXES * Math.sqrt(x * x + y * y)) / (frequency * frequency);
   const { members } = world.internal;
   const { radius, sensor } = world.components.Collider;
   const scaled = bitOf('GravityScale');

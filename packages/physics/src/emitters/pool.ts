@@ -11,7 +11,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
 import { BURST_BYTES, EMITTER_BYTES, MAX_RAMPS, W } from './record.ts';
 
-/** The maximum number of bursts in a step, of an emitter with so many particles. */
+/** The maximum number of bursts in a step for an emitter of this capacity. */
 export function maxBursts(capacity: number): number {
   return Math.min(256, Math.max(64, capacity));
 }

@@ -7,7 +7,7 @@ import type { Node } from './node.ts';
 /** Emits uniform nodes in lanes. */
 export class BroadcastEmitter extends ColumnEmitter {
   /** Locals of uniform nodes, broadcast to all lanes. */
-  protected readonly spreads = new Map<Node, number>();
+  protected readonly broadcasts = new Map<Node, number>();
 
   /** Local of the mask of the sign bits of all lanes. */
   protected signs = 0;
@@ -34,17 +34,17 @@ export class BroadcastEmitter extends ColumnEmitter {
   }
 
   #hoist(node: Node, asDouble: boolean): void {
-    const locals = asDouble ? this.doubles : this.spreads;
+    const locals = asDouble ? this.doubles : this.broadcasts;
     if (locals.has(node)) return;
     if (asDouble) this.pushDouble(node);
-    else this.spread(node);
+    else this.pushBroadcast(node);
     const local = this.local(!asDouble ? 'v128' : node.isMask ? 'i32' : 'f64');
     locals.set(node, local);
     this.code.add('local.set', local);
   }
 
   /** Pushes a uniform node, broadcast to all lanes. */
-  spread(node: Node): void {
+  protected pushBroadcast(node: Node): void {
     const { code } = this;
     if (node.op === 'constant' || node.op === 'zero') {
       code.add('v128.const', ...this.vectorOf(node.value));

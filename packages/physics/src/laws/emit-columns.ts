@@ -6,7 +6,7 @@ export class ColumnEmitter extends UniformEmitter {
   /** Which of the vectors of an iteration is emitted. */
   protected vector = 0;
 
-  /** Bytes from `offset` to the current vector in a column with values of this binary logarithm of their size. */
+  /** Bytes from `offset` to the current vector in a column whose values have 2^shift bytes. */
   #ahead(shift: number): number {
     return (this.vector * this.lanes) << shift;
   }

@@ -66,7 +66,7 @@ export class NodeEmitter extends BroadcastEmitter {
 
   /** Computes a node into a local and returns the local. */
   toLocal(node: Node): number {
-    if (node.isUniform && node.scope === undefined) return this.spreads.get(node) as number;
+    if (node.isUniform && node.scope === undefined) return this.broadcasts.get(node) as number;
     const cached = this.#known.get(node);
     if (cached !== undefined) return cached;
     this.#compute(node);
@@ -76,8 +76,8 @@ export class NodeEmitter extends BroadcastEmitter {
   /** Pushes a node in lanes. */
   push(node: Node): void {
     const { code } = this;
-    const spread = this.spreads.get(node);
-    const local = spread ?? this.#known.get(node);
+    const broadcast = this.broadcasts.get(node);
+    const local = broadcast ?? this.#known.get(node);
     if (local !== undefined) {
       code.add('local.get', local);
       return;
@@ -105,7 +105,7 @@ export class NodeEmitter extends BroadcastEmitter {
   #compute(node: Node): void {
     const { op, args, value } = node;
     const { code } = this;
-    if (node.isUniform) this.spread(node);
+    if (node.isUniform) this.pushBroadcast(node);
     else if (op === 'real') this.pushReal(value);
     else if (op === 'word') this.pushWord(value);
     else if (op === 'entity') this.pushEntity();

@@ -114,10 +114,7 @@ export function softStep(options: SoftStepOptions = {}): Integrator {
     solvesWalls: true,
     // As of semi-implicit Euler with the length of a sub-step.
     isStable: (stiffness, damping) => stiffness / (substeps * substeps) + (2 * damping) / substeps <= 4,
-    contactCompliance(dt) {
-      const angularFrequency = 2 * Math.PI * Math.min(contactHertz, (MAX_PART_OF_RATE * substeps) / dt);
-      return 1 / (angularFrequency * angularFrequency);
-    },
+    contactAngularFrequency: (dt) => 2 * Math.PI * Math.min(contactHertz, (MAX_PART_OF_RATE * substeps) / dt),
     prepare(world) {
       assertPreset(world);
       refuseUnsupported(world);

@@ -153,10 +153,10 @@ export interface Integrator {
    */
   isStable?(stiffness: number, damping: number): boolean;
   /**
-   * Returns 1/ω² in steps of `dt`, s², where contacts are springs of the angular frequency ω. Without this function contacts are
+   * Returns the angular frequency of contacts in steps of `dt`, rad/s, where they are springs. Without this function contacts are
    * rigid, or there are none.
    */
-  contactCompliance?(dt: number): number;
+  contactAngularFrequency?(dt: number): number;
   /** Number of real columns that the scheme allocates; a world created with it reserves memory for them. Default 0. */
   readonly columns?: number;
   /** Components that only the forces read elsewhere, and this scheme as well. Default none. */
