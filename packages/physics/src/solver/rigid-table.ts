@@ -11,6 +11,7 @@ import {
   CONTACT_EVENT_LIST_BYTES,
   CROWD_BYTES,
   ContactEventListWord as EventWord,
+  IMPACT_SIZE,
   RIGID_CONTACT_SIZE,
   RIGID_TABLE_BYTES,
   SLEEPER_BYTES,
@@ -34,7 +35,15 @@ const MIN_CONTACTS = 4096;
 /** Bytes for each contact in all lists. Contacts without a color take a block each. */
 function listBytes(precision: Precision): number {
   const bytes = realBytes(precision);
-  return RIGID_CONTACT_SIZE[precision] + CONTACT_BLOCK / (16 / bytes) + 32 + 44 + 2 * 6 * bytes;
+  return (
+    RIGID_CONTACT_SIZE[precision] +
+    CONTACT_BLOCK / (16 / bytes) +
+    IMPACT_SIZE[precision] / 2 +
+    32 +
+    44 +
+    16 +
+    2 * 6 * bytes
+  );
 }
 
 /** The columns of reals of an event. */
@@ -44,7 +53,7 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 function rowBytes(precision: Precision): number {
   const bytes = realBytes(precision);
   const records = SLEEPER_BYTES[precision] + 4 * TREE_NODE_BYTES[precision] + TREE_ROW_BLOCK[precision] + CROWD_BYTES;
-  return 16 * bytes + 4 * bytes + records + 14 * 4;
+  return 16 * bytes + 4 * bytes + bytes + records + 17 * 4;
 }
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
@@ -109,12 +118,22 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.states, 8 * bytes);
   take(Word.poses, 8 * bytes);
   take(Word.boxes, 4 * bytes);
+  take(Word.fastest, bytes);
   take(Word.sleepers, SLEEPER_BYTES[precision]);
   take(Word.crowds, CROWD_BYTES);
   take(Word.staticNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.movingNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.treeRows, TREE_ROW_BLOCK[precision]);
-  for (const word of [Word.flags, Word.bodyGenerations, Word.usedColors, Word.awake, Word.crowded]) {
+  for (const word of [
+    Word.flags,
+    Word.bodyGenerations,
+    Word.usedColors,
+    Word.awake,
+    Word.crowded,
+    Word.firstEnds,
+    Word.visits,
+    Word.pushes,
+  ]) {
     take(word, 4);
   }
   for (const word of [
@@ -136,7 +155,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 38 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 42 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(precision))));
   const take = (word: Word, size: number) => {
@@ -153,6 +172,12 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.pairs, 8 * capacity);
   take(Word.sortedPairs, 8 * capacity);
   take(Word.blocks, CONTACT_BLOCK * words[Word.blockCapacity]);
+  const places = (16 / bytes) * words[Word.blockCapacity];
+  words[Word.impactCapacity] = Math.ceil(places / 2);
+  take(Word.impacts, IMPACT_SIZE[precision] * words[Word.impactCapacity]);
+  for (const word of [Word.approaching, Word.struck]) take(word, 4 * words[Word.impactCapacity]);
+  take(Word.impactOf, 4 * places);
+  take(Word.nextEnds, 8 * places);
   for (const word of [Word.endA, Word.endB]) take(word, 4 * capacity);
   for (const word of [Word.sensorBeginSensors, Word.sensorBeginVisitors]) take(word, 4 * capacity);
   for (const word of [Word.sensorEndSensors, Word.sensorEndVisitors]) take(word, 4 * capacity);

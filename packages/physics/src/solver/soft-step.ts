@@ -185,7 +185,8 @@ function advance(
     if (crowded) kernels.limitCrowdEnergies(at);
     if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
   }
-  kernels.applyRestitution(at);
+  // What bounces is no longer as joints want it.
+  if (kernels.applyRestitution(at) > 0 && joints !== 0) kernels.relaxLocks(joints);
   kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);

@@ -45,14 +45,15 @@ export const TANGENT_MASS: usize = 6 * V;
 export const NORMAL_IMPULSE: usize = 7 * V;
 export const TANGENT_IMPULSE: usize = 8 * V;
 export const TOTAL_IMPULSE: usize = 9 * V;
-export const NORMAL_SPEED: usize = 10 * V;
+export const TOTAL_TANGENT_IMPULSE: usize = 10 * V;
+export const NORMAL_SPEED: usize = 11 * V;
 // Levers of impulses along the normal n and the tangent (n_y, -n_x) about the centres of both bodies, r × n and r × t, where the
 // surfaces meet.
-export const NORMAL_LEVER_A: usize = 11 * V;
-export const NORMAL_LEVER_B: usize = 12 * V;
-export const TANGENT_LEVER_A: usize = 13 * V;
-export const TANGENT_LEVER_B: usize = 14 * V;
-export const POINT: usize = 15 * V;
+export const NORMAL_LEVER_A: usize = 12 * V;
+export const NORMAL_LEVER_B: usize = 13 * V;
+export const TANGENT_LEVER_A: usize = 14 * V;
+export const TANGENT_LEVER_B: usize = 15 * V;
+export const POINT: usize = 16 * V;
 export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
 
 // @ts-ignore: decorator

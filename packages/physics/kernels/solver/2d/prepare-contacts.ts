@@ -28,6 +28,7 @@ export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   t.deepCount = 0;
   t.hitCount = 0;
+  t.bouncyCount = 0;
   const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);
   soften(hertz, t.contactDampingRatio, t.h);
   const biasRate = <real>(softness.biasRate * softness.massScale);
@@ -51,6 +52,7 @@ export function prepareContacts(table: usize): void {
     store<real>(lane, single ? <real>softness.impulseScale : impulseScale, block.IMPULSE_SCALE);
     fillBodies(t, contact, at, l);
     for (let p = 0; p < contact.count; p++) fillPoint(t, contact, lane, p);
+    if (contact.restitution != 0) t.bouncyCount++;
     noteDepth(t, contact);
   }
   finishBlocks(t);

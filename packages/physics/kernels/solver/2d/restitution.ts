@@ -1,124 +1,159 @@
-// Bouncing, after the last sub-step: a point that was hit faster than the threshold gets the speed e u away from the surface,
-// where u is the speed along the normal at the impact: u² = u₀² - 2 a s, from the speed u₀ and the separation s before the step,
-// with the acceleration a by forces. Source: Catto, Solver2D (2024), where it is u₀.
+// Bouncing, after the last sub-step.
 //
-// Where both points of a contact were hit, their impulses P solve K (P - P_old) = -(v + e u) together. One after the other
-// would be unequal although the points are alike: a box that falls flat would bounce askew, and lose energy.
-import { ContactPoint, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
-import { get, put } from '../../memory/columns';
-import { LANES } from '../../memory/lanes';
-import { BodyState, MOVES, flagsOf, word } from './body';
+// The sub-steps treat every impact without restitution. Where a point approached faster than the threshold and may bounce, the
+// impulses of the impact are taken back: all beyond those with which the step began, which bear weight. So they are from all
+// contacts that the impact ran on to within the step, along a row of balls or down into a pile that lands. The bodies
+// then have the speeds at which they met, and bounce in rounds (impact-rounds.ts).
+//
+// What meets within a step is as fast as when it met: u² = u₀² + 2 a s, from the speed u₀ and the separation s before the step,
+// with the mean acceleration a of the step.
+import { SEARCHED, pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { get } from '../../memory/columns';
+import { LANES, splat } from '../../memory/lanes';
+import { putWord } from './body';
 import * as block from './contact-block';
-import { inverseMassX, inverseMassY } from './motion-locks';
+import { firstEnd, linkContacts, nextEnd, visit } from './contact-ends';
+import { blockAt, contactOf, isFast, laneAt } from './contact-place';
+import { Impact, drag, impactAt, pointOf, pushApart, speedAt } from './impact';
+import { addImpact, storeImpact } from './impact-list';
+import { bounceInRounds } from './impact-rounds';
 import { RigidTable } from './rigid-table';
 
-// Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
-const LEAST_DETERMINANT: real = 1e-3;
+// An impact runs on where it strikes by more than this part of the threshold.
+const LEAST_PART: real = 0.1;
 
-export function applyRestitution(table: usize): void {
+// The search for impacts is before all rounds.
+const SEARCH: i32 = -1;
+
+// Returns the number of contacts that bounced, or might have.
+export function applyRestitution(table: usize): i32 {
   const t = changetype<RigidTable>(table);
+  if (t.bouncyCount == 0) return 0;
+  findImpacts(t);
+  const count = t.impactCount;
+  if (count == 0) return 0;
+  for (let i = 0; i < count; i++) takeBack(t, impactAt(t, i));
+  for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
+  for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
+  bounceInRounds(t);
+  for (let i = 0; i < t.impactCount; i++) storeImpact(t, impactAt(t, i));
+  return t.impactCount;
+}
+
+// Lists the contacts of all impacts that may bounce, from those that were hit on.
+function findImpacts(t: RigidTable): void {
+  t.impactCount = 0;
+  let linked = false;
   for (let i = 0; i < t.blockCount; i++) {
     const at = block.blockOf(t, i);
-    for (let l = 0; l < LANES; l++) {
-      const restitution = get(at + block.RESTITUTION, l);
-      if (restitution != 0) bounce(t, at, l, restitution);
-    }
+    const hit = v128.or(impactLanes(t, at + block.POINTS), impactLanes(t, at + block.POINTS + block.POINT));
+    if (!v128.any_true(hit)) continue;
+    if (!linked) linkContacts(t);
+    linked = true;
+    for (let l = 0; l < LANES; l++) if (isHit(t, i * LANES + l)) findImpact(t, i * LANES + l);
   }
 }
 
-function bounce(t: RigidTable, at: usize, l: i32, restitution: real): void {
-  const first = at + block.POINTS;
-  const second = first + block.POINT;
-  const isFirstHit = isHit(t, first, l);
-  const isSecondHit = isHit(t, second, l);
-  if (!isFirstHit && !isSecondHit) return;
-  const contact = contactAt(t, word(at + block.SLOT, l));
-  const away = accelerationOf(t, contact);
-  const firstSpeed = -restitution * impactSpeed(first, l, pointOf(contact, 0), away);
-  const secondSpeed = contact.count > 1 ? -restitution * impactSpeed(second, l, pointOf(contact, 1), away) : <real>0;
-  if (isFirstHit && isSecondHit && bounceTogether(at, first, second, l, firstSpeed, secondSpeed)) return;
-  if (isFirstHit) bounceAlone(at, first, l, firstSpeed);
-  if (isSecondHit) bounceAlone(at, second, l, secondSpeed);
+// The contacts of a block of which a point approached faster than the threshold when the step began, and met.
+// @ts-ignore: decorator
+@inline function impactLanes(t: RigidTable, p: usize): v128 {
+  const fast = v128.le<real>(v128.load(p, block.NORMAL_SPEED), splat(-(<real>t.restitutionThreshold)));
+  return v128.and(fast, v128.ne<real>(v128.load(p, block.TOTAL_IMPULSE), splat(0)));
 }
 
-function isHit(t: RigidTable, p: usize, l: i32): bool {
-  return get(p + block.NORMAL_SPEED, l) <= -(<real>t.restitutionThreshold) && get(p + block.TOTAL_IMPULSE, l) != 0;
+function isHit(t: RigidTable, place: i32): bool {
+  const l = laneAt(place);
+  for (let p = blockAt(t, place) + block.POINTS, i = 0; i < 2; i++, p += block.POINT) {
+    if (isFast(t, p, l) && get(p + block.TOTAL_IMPULSE, l) != 0) return true;
+  }
+  return false;
 }
 
-// By how much forces accelerate the two bodies from each other along the normal, m/s². What touches other bodies, too, is borne by
-// them.
-function accelerationOf(t: RigidTable, contact: RigidContact): real {
-  return accelerationAlong(t, contact.bodyB, contact) - accelerationAlong(t, contact.bodyA, contact);
+// Lists the contacts that the impact at a contact reached, if some may bounce.
+function findImpact(t: RigidTable, place: i32): void {
+  const first = t.impactCount;
+  let bounces = false;
+  search(t, place);
+  for (let i = first; i < t.impactCount; i++) {
+    const impact = impactAt(t, i);
+    if (impact.restitution != 0) bounces = true;
+    searchBody(t, impact.rowA);
+    searchBody(t, impact.rowB);
+  }
+  if (bounces) return;
+  for (let i = first; i < t.impactCount; i++) putWord(t.impactOf, impactAt(t, i).place, 0);
+  t.impactCount = first;
 }
 
-function accelerationAlong(t: RigidTable, row: i32, contact: RigidContact): real {
-  if ((flagsOf(t, row) & MOVES) == 0 || popcnt<u32>(word(t.usedColors, row)) > 1) return 0;
-  const x = inverseMassX(t, row) * get(t.forceX, row);
-  const y = inverseMassY(t, row) * get(t.forceY, row);
-  return contact.nx * x + contact.ny * y;
+function search(t: RigidTable, place: i32): void {
+  const contact = contactOf(t, place);
+  if ((contact.flags & SEARCHED) != 0) return;
+  contact.flags |= SEARCHED;
+  addImpact(t, place);
 }
 
-// The speed along the normal with which the surfaces meet at a point, below 0, m/s.
-function impactSpeed(p: usize, l: i32, point: ContactPoint, acceleration: real): real {
-  const speed = get(p + block.NORMAL_SPEED, l);
-  const gained = <real>-2 * acceleration * max<real>(0, point.separation);
-  return -sqrt<real>(max<real>(0, speed * speed + gained));
+function searchBody(t: RigidTable, row: i32): void {
+  if (!visit(t, row, SEARCH)) return;
+  for (let end = firstEnd(t, row); end >= 0; end = nextEnd(t, end)) {
+    if (isHit(t, end >> 1) || isStruck(t, end >> 1)) search(t, end >> 1);
+  }
 }
 
-function bounceAlone(at: usize, p: usize, l: i32, wanted: real): void {
-  const mass = get(p + block.NORMAL_MASS, l);
-  setImpulse(at, p, l, get(p + block.NORMAL_IMPULSE, l) + mass * missingSpeed(at, p, l, wanted));
+// Number of sub-steps. With the impulse of a point when the step began: what it exerts in a step if nothing changes.
+// @ts-ignore: decorator
+@inline function substeps(t: RigidTable): real {
+  return <real>(t.dt / t.h);
 }
 
-// Returns false, and changes nothing, where one of the points would have to pull.
-function bounceTogether(at: usize, p: usize, q: usize, l: i32, wantedP: real, wantedQ: real): bool {
-  const pp = <real>1 / get(p + block.NORMAL_MASS, l);
-  const qq = <real>1 / get(q + block.NORMAL_MASS, l);
-  const pq = coupling(at, p, q, l);
-  const determinant = pp * qq - pq * pq;
-  if (!(determinant > LEAST_DETERMINANT * pp * qq)) return false;
-  const speedP = missingSpeed(at, p, l, wantedP);
-  const speedQ = missingSpeed(at, q, l, wantedQ);
-  const impulseP = get(p + block.NORMAL_IMPULSE, l) + (qq * speedP - pq * speedQ) / determinant;
-  const impulseQ = get(q + block.NORMAL_IMPULSE, l) + (pp * speedQ - pq * speedP) / determinant;
-  if (!(impulseP >= 0 && impulseQ >= 0)) return false;
-  setImpulse(at, p, l, impulseP);
-  setImpulse(at, q, l, impulseQ);
-  return true;
+// Whether a contact was struck, and by more than the weight that it bears.
+function isStruck(t: RigidTable, place: i32): bool {
+  const l = laneAt(place);
+  const speed = LEAST_PART * <real>t.restitutionThreshold;
+  for (let p = blockAt(t, place) + block.POINTS, i = 0; i < 2; i++, p += block.POINT) {
+    const total = get(p + block.TOTAL_IMPULSE, l);
+    const least = speed * get(p + block.NORMAL_MASS, l);
+    if (total <= least) continue;
+    const borne = substeps(t) * contactPointOf(contactOf(t, place), i).normalImpulse;
+    if (total - borne > max<real>(borne, least)) return true;
+  }
+  return false;
 }
 
-// The speed that an impulse of 1 N s at one of two points gives the other, along the normal.
-function coupling(at: usize, p: usize, q: usize, l: i32): real {
-  const nx = get(at + block.NX, l);
-  const ny = get(at + block.NY, l);
-  const leversA = get(p + block.NORMAL_LEVER_A, l) * get(q + block.NORMAL_LEVER_A, l);
-  const leversB = get(p + block.NORMAL_LEVER_B, l) * get(q + block.NORMAL_LEVER_B, l);
-  const x = get(at + block.MASS_AX, l) + get(at + block.MASS_BX, l);
-  const y = get(at + block.MASS_AY, l) + get(at + block.MASS_BY, l);
-  return x * nx * nx + y * ny * ny + get(at + block.INERTIA_A, l) * leversA + get(at + block.INERTIA_B, l) * leversB;
+// Friction, too: it balances the torque of the others on what is light.
+function takeBack(t: RigidTable, impact: Impact): void {
+  const l = laneAt(impact.place);
+  const contact = contactOf(t, impact.place);
+  for (let i = 0; i < impact.count; i++) {
+    const p = blockAt(t, impact.place) + block.POINTS + <usize>i * block.POINT;
+    const point = pointOf(impact, i);
+    const began = contactPointOf(contact, i);
+    point.taken = beyond(get(p + block.TOTAL_IMPULSE, l), substeps(t) * began.normalImpulse);
+    pushApart(impact, point, -point.taken);
+    drag(impact, point, -beyond(get(p + block.TOTAL_TANGENT_IMPULSE, l), substeps(t) * began.tangentImpulse));
+  }
 }
 
-// What a point lacks to the speed with which it should bounce, along the normal, m/s.
-function missingSpeed(at: usize, p: usize, l: i32, wanted: real): real {
-  const a = changetype<BodyState>(<usize>word(at + block.A, l));
-  const b = changetype<BodyState>(<usize>word(at + block.B, l));
-  const turning = b.w * get(p + block.NORMAL_LEVER_B, l) - a.w * get(p + block.NORMAL_LEVER_A, l);
-  return wanted - (get(at + block.NX, l) * (b.vx - a.vx) + get(at + block.NY, l) * (b.vy - a.vy) + turning);
+// What an impulse is beyond the one that was to be expected, as far as they have the same sense.
+function beyond(total: real, expected: real): real {
+  if (total >= 0) return total - max<real>(0, min<real>(total, expected));
+  return total - min<real>(0, max<real>(total, expected));
 }
 
-function setImpulse(at: usize, p: usize, l: i32, wanted: real): void {
-  const a = changetype<BodyState>(<usize>word(at + block.A, l));
-  const b = changetype<BodyState>(<usize>word(at + block.B, l));
-  const nx = get(at + block.NX, l);
-  const ny = get(at + block.NY, l);
-  const impulse = wanted > 0 ? min<real>(wanted, block.MAX_IMPULSE) : <real>0;
-  const delta = impulse - get(p + block.NORMAL_IMPULSE, l);
-  put(p + block.NORMAL_IMPULSE, l, impulse);
-  put(p + block.TOTAL_IMPULSE, l, get(p + block.TOTAL_IMPULSE, l) + delta);
-  a.vx -= get(at + block.MASS_AX, l) * delta * nx;
-  a.vy -= get(at + block.MASS_AY, l) * delta * ny;
-  a.w -= get(at + block.INERTIA_A, l) * delta * get(p + block.NORMAL_LEVER_A, l);
-  b.vx += get(at + block.MASS_BX, l) * delta * nx;
-  b.vy += get(at + block.MASS_BY, l) * delta * ny;
-  b.w += get(at + block.INERTIA_B, l) * delta * get(p + block.NORMAL_LEVER_B, l);
+// Slows the points that met fast to the speed of their impact, or the others, that touched before, to what they had.
+function slowToImpact(t: RigidTable, impact: Impact, fast: bool): void {
+  const l = laneAt(impact.place);
+  const contact = contactOf(t, impact.place);
+  for (let i = 0; i < impact.count; i++) {
+    const p = blockAt(t, impact.place) + block.POINTS + <usize>i * block.POINT;
+    if (isFast(t, p, l) != fast) continue;
+    const point = pointOf(impact, i);
+    const speed = speedAt(impact, point);
+    const start = min<real>(0, get(p + block.NORMAL_SPEED, l));
+    const way = fast ? max<real>(0, contactPointOf(contact, i).separation) : <real>0;
+    const gained = (<real>2 * way * max<real>(0, start - speed)) / <real>t.dt;
+    const excess = -sqrt<real>(start * start + gained) - speed;
+    if (!(excess > 0)) continue;
+    point.taken -= excess * point.mass;
+    pushApart(impact, point, excess * point.mass);
+  }
 }

@@ -141,6 +141,27 @@ export class RigidTable {
   colorCounts: usize;
   // Contacts with two points that are hit in this step (solve-contacts.ts).
   hitCount: i32;
+  // Contacts with restitution in this step.
+  bouncyCount: i32;
+  // Contacts by body (contact-ends.ts): by row, one more than the first end; by end, one more than the next of the same body.
+  firstEnds: usize;
+  nextEnds: usize;
+  // Impacts (restitution.ts): class Impact; by place of a contact, one more than the index of its impact; indices of those that
+  // approach, and of those that are struck in a round.
+  impacts: usize;
+  impactCapacity: i32;
+  impactCount: i32;
+  impactOf: usize;
+  approaching: usize;
+  approachingCount: i32;
+  struck: usize;
+  struckCount: i32;
+  // Passes over what is struck, in all rounds of this step.
+  pass: i32;
+  // By row: the search or the round that came to a body last, the pass that changed it last, and its fastest approach, m/s.
+  visits: usize;
+  pushes: usize;
+  fastest: usize;
   // Contacts of deep overlap in this step; by row: class Crowd; the rows of the bodies in crowds, ascending (crowds.ts).
   deepCount: i32;
   crowds: usize;

@@ -97,8 +97,8 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
 }
 
 // @ts-ignore: decorator
-@inline function addToTotal(p: usize, impulse: v128): void {
-  v128.store(p, add(v128.load(p, block.TOTAL_IMPULSE), impulse), block.TOTAL_IMPULSE);
+@inline function addToTotal(total: usize, impulse: v128): void {
+  v128.store(total, add(v128.load(total), impulse));
 }
 
 // The normals, and when relaxing friction, of those contacts of a block whose lane is set. The total impulse is the sum of those with
@@ -157,7 +157,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
     const delta = sub(impulse, old);
-    if (!soft) addToTotal(p, sub(impulse, v128.and(old, repeat)));
+    if (!soft) addToTotal(p + block.TOTAL_IMPULSE, sub(impulse, v128.and(old, repeat)));
     const px = mul(delta, nx);
     const py = mul(delta, ny);
     vxA = sub(vxA, mul(mxA, px));
@@ -167,7 +167,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     vyB = add(vyB, mul(myB, py));
     wB = add(wB, mul(iB, mul(delta, leverB)));
   }
-  if (!soft) return applyFriction(at, lanes, vxA, vyA, wA, turnedA, vxB, vyB, wB, turnedB);
+  if (!soft) return applyFriction(at, lanes, repeat, vxA, vyA, wA, turnedA, vxB, vyB, wB, turnedB);
   scatter(a, vxA, vyA, wA, turnedA);
   scatter(b, vxB, vyB, wB, turnedB);
 }
@@ -177,6 +177,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
 @inline function applyFriction(
   at: usize,
   lanes: v128,
+  repeat: v128,
   vxA: v128,
   vyA: v128,
   wA: v128,
@@ -208,6 +209,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     const wanted = sub(old, v128.and(mul(v128.load(p, block.TANGENT_MASS), speed), lanes));
     const impulse = clamp(wanted, mul(v128.load(at, block.FRICTION), normal));
     v128.store(p, impulse, block.TANGENT_IMPULSE);
+    addToTotal(p + block.TOTAL_TANGENT_IMPULSE, sub(impulse, v128.and(old, repeat)));
     const delta = sub(impulse, old);
     const px = mul(delta, ny);
     const py = mul(delta, nx);

@@ -1,0 +1,48 @@
+// The contacts of each body, as lists of ends: a contact has two, at a and at b, and a body those of all contacts that push it.
+import { get } from '../../memory/columns';
+import { LANES } from '../../memory/lanes';
+import { flagsOf, isPushed, putWord, word } from './body';
+import * as block from './contact-block';
+import { blockAt, contactOf, laneAt } from './contact-place';
+import { RigidTable } from './rigid-table';
+
+// Makes the lists of all bodies, and forgets the impacts of the last time.
+export function linkContacts(t: RigidTable): void {
+  for (let i = 0; i < t.awakeCount; i++) {
+    putWord(t.firstEnds, word(t.awake, i), 0);
+    putWord(t.visits, word(t.awake, i), 0);
+    putWord(t.pushes, word(t.awake, i), 0);
+  }
+  for (let place = t.blockCount * LANES - 1; place >= 0; place--) {
+    putWord(t.impactOf, place, 0);
+    if (get(blockAt(t, place) + block.POINTS + block.NORMAL_MASS, laneAt(place)) == 0) continue;
+    const contact = contactOf(t, place);
+    linkEnd(t, contact.bodyA, 2 * place);
+    linkEnd(t, contact.bodyB, 2 * place + 1);
+  }
+}
+
+// @ts-ignore: decorator
+@inline function linkEnd(t: RigidTable, row: i32, end: i32): void {
+  if (!isPushed(flagsOf(t, row))) return;
+  putWord(t.nextEnds, end, word(t.firstEnds, row));
+  putWord(t.firstEnds, row, end + 1);
+}
+
+// The first and the next end of a body, or -1.
+// @ts-ignore: decorator
+@inline export function firstEnd(t: RigidTable, row: i32): i32 {
+  return word(t.firstEnds, row) - 1;
+}
+
+// @ts-ignore: decorator
+@inline export function nextEnd(t: RigidTable, end: i32): i32 {
+  return word(t.nextEnds, end) - 1;
+}
+
+// Whether a search comes to a body that contacts push for the first time.
+export function visit(t: RigidTable, row: i32, search: i32): bool {
+  if (row == 0 || word(t.visits, row) == search) return false;
+  putWord(t.visits, row, search);
+  return true;
+}

@@ -1,0 +1,55 @@
+// A contact by its place: the lane of a block, counted from the first one.
+import { RigidContact, contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
+import { get } from '../../memory/columns';
+import { LANES } from '../../memory/lanes';
+import { BodyState, word } from './body';
+import * as block from './contact-block';
+import { RigidTable } from './rigid-table';
+
+// Surfaces that are no farther apart touch, m: the slop of the solver.
+const CLOSE: real = 0.005;
+
+// @ts-ignore: decorator
+@inline export function blockAt(t: RigidTable, place: i32): usize {
+  return block.blockOf(t, place / LANES);
+}
+
+// @ts-ignore: decorator
+@inline export function laneAt(place: i32): i32 {
+  return place & (LANES - 1);
+}
+
+// @ts-ignore: decorator
+@inline export function contactOf(t: RigidTable, place: i32): RigidContact {
+  return contactAt(t, word(blockAt(t, place) + block.SLOT, laneAt(place)));
+}
+
+// Whether a point approached faster than the threshold when the step began.
+// @ts-ignore: decorator
+@inline export function isFast(t: RigidTable, p: usize, l: i32): bool {
+  return get(p + block.NORMAL_SPEED, l) <= -(<real>t.restitutionThreshold);
+}
+
+// Whether the surfaces touch: an impulse passed in this step, or they are close now.
+export function isClosed(t: RigidTable, place: i32): bool {
+  const at = blockAt(t, place);
+  const l = laneAt(place);
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    if (get(p + block.NORMAL_MASS, l) == 0) continue;
+    if (get(p + block.TOTAL_IMPULSE, l) != 0 || separationAt(at, p, l) <= CLOSE) return true;
+  }
+  return false;
+}
+
+// How far the surfaces are apart at a point now, m.
+function separationAt(at: usize, p: usize, l: i32): real {
+  const a = changetype<BodyState>(<usize>word(at + block.A, l));
+  const b = changetype<BodyState>(<usize>word(at + block.B, l));
+  const ax = get(p + block.AX, l);
+  const ay = get(p + block.AY, l);
+  const bx = get(p + block.BX, l);
+  const by = get(p + block.BY, l);
+  const x = b.dx - a.dx + (b.dc * bx - b.ds * by - (a.dc * ax - a.ds * ay));
+  const y = b.dy - a.dy + (b.ds * bx + b.dc * by - (a.ds * ax + a.dc * ay));
+  return get(p + block.SEPARATION, l) + (get(at + block.NX, l) * x + get(at + block.NY, l) * y);
+}

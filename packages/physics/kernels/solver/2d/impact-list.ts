@@ -1,0 +1,100 @@
+// The list of impacts, filled from the blocks of contacts and emptied into them.
+import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { get, put } from '../../memory/columns';
+import { flagsOf, isPushed, putWord, word } from './body';
+import * as block from './contact-block';
+import { blockAt, contactOf, laneAt } from './contact-place';
+import { Impact, impactAt, pointOf } from './impact';
+import { RigidTable } from './rigid-table';
+
+// From step to step the impulses of a contact that an impact reached become at most this many times as large, and that of a speed,
+// m/s, larger.
+const GROWTH: real = 2;
+const LEAST_GROWTH: real = 0.01;
+
+// Adds the impact at a contact to the list. Returns its index, or -1 if the list is full.
+export function addImpact(t: RigidTable, place: i32): i32 {
+  const i = t.impactCount;
+  if (i == t.impactCapacity) return -1;
+  t.impactCount = i + 1;
+  putWord(t.impactOf, place, i + 1);
+  readImpact(t, impactAt(t, i), place);
+  return i;
+}
+
+// Takes what is needed of a contact from its block.
+function readImpact(t: RigidTable, impact: Impact, place: i32): void {
+  const at = blockAt(t, place);
+  const l = laneAt(place);
+  const contact = contactOf(t, place);
+  impact.stateA = <usize>word(at + block.A, l);
+  impact.stateB = <usize>word(at + block.B, l);
+  impact.rowA = isPushed(flagsOf(t, contact.bodyA)) ? contact.bodyA : 0;
+  impact.rowB = isPushed(flagsOf(t, contact.bodyB)) ? contact.bodyB : 0;
+  impact.place = place;
+  impact.listed = 0;
+  impact.count = contact.count;
+  impact.nx = get(at + block.NX, l);
+  impact.ny = get(at + block.NY, l);
+  impact.massAx = get(at + block.MASS_AX, l);
+  impact.massAy = get(at + block.MASS_AY, l);
+  impact.inertiaA = get(at + block.INERTIA_A, l);
+  impact.massBx = get(at + block.MASS_BX, l);
+  impact.massBy = get(at + block.MASS_BY, l);
+  impact.inertiaB = get(at + block.INERTIA_B, l);
+  impact.restitution = get(at + block.RESTITUTION, l);
+  impact.friction = get(at + block.FRICTION, l);
+  impact.tangentSpeed = get(at + block.TANGENT_SPEED, l);
+  for (let i = 0; i < contact.count; i++) {
+    const p = at + block.POINTS + <usize>i * block.POINT;
+    const point = pointOf(impact, i);
+    point.leverA = get(p + block.NORMAL_LEVER_A, l);
+    point.leverB = get(p + block.NORMAL_LEVER_B, l);
+    point.mass = get(p + block.NORMAL_MASS, l);
+    point.tangentLeverA = get(p + block.TANGENT_LEVER_A, l);
+    point.tangentLeverB = get(p + block.TANGENT_LEVER_B, l);
+    point.tangentMass = get(p + block.TANGENT_MASS, l);
+    point.impulse = 0;
+    point.given = 0;
+    point.tangentImpulse = 0;
+    point.taken = 0;
+  }
+  impact.coupling = contact.count > 1 ? couplingOf(impact) : <real>0;
+}
+
+function couplingOf(impact: Impact): real {
+  const p = pointOf(impact, 0);
+  const q = pointOf(impact, 1);
+  const x = (impact.massAx + impact.massBx) * impact.nx * impact.nx;
+  const y = (impact.massAy + impact.massBy) * impact.ny * impact.ny;
+  return x + y + impact.inertiaA * p.leverA * q.leverA + impact.inertiaB * p.leverB * q.leverB;
+}
+
+// Changes the impulses of the contact by those of the rounds. The next step begins with the impulses of the last sub-step, because
+// they bear weight; but an impact in it is no weight, and so they become larger only by and by.
+export function storeImpact(t: RigidTable, impact: Impact): void {
+  const at = blockAt(t, impact.place);
+  const l = laneAt(impact.place);
+  const contact = contactOf(t, impact.place);
+  let part: real = 1;
+  for (let i = 0; i < impact.count; i++) {
+    const point = pointOf(impact, i);
+    const change = point.given - point.taken;
+    if (change == 0) continue;
+    const p = at + block.POINTS + <usize>i * block.POINT;
+    put(p + block.TOTAL_IMPULSE, l, get(p + block.TOTAL_IMPULSE, l) + change);
+    const most = GROWTH * contactPointOf(contact, i).normalImpulse + LEAST_GROWTH * point.mass;
+    const impulse = get(p + block.NORMAL_IMPULSE, l);
+    if (impulse > most) part = min<real>(part, most / impulse);
+  }
+  scale(at + block.ROLLING_IMPULSE, l, part);
+  for (let i = 0; i < impact.count; i++) {
+    const p = at + block.POINTS + <usize>i * block.POINT;
+    scale(p + block.NORMAL_IMPULSE, l, part);
+    scale(p + block.TANGENT_IMPULSE, l, part);
+  }
+}
+
+function scale(numbers: usize, l: i32, factor: real): void {
+  put(numbers, l, factor * get(numbers, l));
+}

@@ -1,0 +1,168 @@
+// Impacts in rounds: of all contacts that approach, those that are about as fast as the fastest of their bodies are stopped
+// together, and then thrown back with e times the impulses that this took. So a row of balls passes a velocity on from one to
+// the next, and what is symmetric stays so. A round loses no momentum, and gains no energy. What remains slower than
+// the threshold of restitution is stopped at last.
+// Source: Smith et al., Reflections on Simultaneous Impact (SIGGRAPH 2012), section 4.
+import { get, put } from '../../memory/columns';
+import { putWord, word } from './body';
+import { firstEnd, nextEnd, visit } from './contact-ends';
+import { isClosed } from './contact-place';
+import { Impact, drag, impactAt, pointOf, pushApart, slidingAt, speedAt } from './impact';
+import { addImpact } from './impact-list';
+import { RigidTable } from './rigid-table';
+import { stop } from './stop-impact';
+
+// Contacts that approach faster than this part of the fastest of the same bodies are thrown back with it.
+const AS_FAST: real = 0.9;
+// Rounds in a step: what still approaches after the last goes on in the next step.
+const MAX_ROUNDS: i32 = 40;
+// Passes over the contacts of a round, which end when no speed changes by more than this part of the threshold.
+const MAX_PASSES: i32 = 50;
+const SOLVED: real = 1e-3;
+// The same for what does not bounce.
+const LAST_PASSES: i32 = 8;
+const LAST_SOLVED: real = 0.02;
+// Passes of friction over what was struck.
+const FRICTION_PASSES: i32 = 2;
+// Contacts that approach more slowly are at rest, m/s.
+const AT_REST: real = 1e-3;
+
+// Lets what approaches in the list of impacts bounce; and what closes because that moves.
+export function bounceInRounds(t: RigidTable): void {
+  const slowest = max<real>(<real>t.restitutionThreshold, AT_REST);
+  t.approachingCount = 0;
+  t.pass = 0;
+  for (let i = 0; i < t.impactCount; i++) list(t, i);
+  for (let round = 1; round <= MAX_ROUNDS; round++) {
+    findFastest(t, slowest);
+    if (t.approachingCount == 0) break;
+    chooseStruck(t);
+    solveStruck(t, MAX_PASSES, SOLVED * slowest);
+    for (let i = 0; i < t.struckCount; i++) throwBack(impactAt(t, word(t.struck, i)));
+    for (let i = 0; i < t.struckCount; i++) {
+      const impact = impactAt(t, word(t.struck, i));
+      reachBody(t, impact.rowA, slowest, round);
+      reachBody(t, impact.rowB, slowest, round);
+    }
+  }
+  for (let pass = 0; pass < FRICTION_PASSES; pass++) {
+    for (let i = 0; i < t.impactCount; i++) rub(impactAt(t, i));
+  }
+  stopTheRest(t, slowest);
+}
+
+// @ts-ignore: decorator
+@inline function list(t: RigidTable, i: i32): void {
+  impactAt(t, i).listed = 1;
+  putWord(t.approaching, t.approachingCount++, i);
+}
+
+// Keeps those that approach faster than `slowest` in the list, and finds the fastest approach of each body.
+function findFastest(t: RigidTable, slowest: real): void {
+  let count = 0;
+  for (let i = 0; i < t.approachingCount; i++) {
+    const index = word(t.approaching, i);
+    const impact = impactAt(t, index);
+    put(t.fastest, impact.rowA, 0);
+    put(t.fastest, impact.rowB, 0);
+    impact.approach = approachOf(impact);
+    if (impact.approach > slowest) putWord(t.approaching, count++, index);
+    else impact.listed = 0;
+  }
+  t.approachingCount = count;
+  for (let i = 0; i < count; i++) {
+    const impact = impactAt(t, word(t.approaching, i));
+    if (impact.approach > get(t.fastest, impact.rowA)) put(t.fastest, impact.rowA, impact.approach);
+    if (impact.approach > get(t.fastest, impact.rowB)) put(t.fastest, impact.rowB, impact.approach);
+  }
+  // What does not move is no reason to wait.
+  put(t.fastest, 0, 0);
+}
+
+// The speed at which the points of a contact approach, at least 0, m/s.
+function approachOf(impact: Impact): real {
+  let fastest: real = 0;
+  for (let i = 0; i < impact.count; i++) {
+    const approach = -speedAt(impact, pointOf(impact, i));
+    if (approach > fastest) fastest = approach;
+  }
+  return fastest;
+}
+
+// Lists the contacts that approach about as fast as any of their bodies does.
+function chooseStruck(t: RigidTable): void {
+  t.struckCount = 0;
+  for (let i = 0; i < t.approachingCount; i++) {
+    const index = word(t.approaching, i);
+    const impact = impactAt(t, index);
+    const fastest = max<real>(get(t.fastest, impact.rowA), get(t.fastest, impact.rowB));
+    if (impact.approach >= AS_FAST * fastest) strike(t, index);
+  }
+}
+
+function strike(t: RigidTable, index: i32): void {
+  const impact = impactAt(t, index);
+  for (let i = 0; i < impact.count; i++) pointOf(impact, i).impulse = 0;
+  putWord(t.struck, t.struckCount++, index);
+}
+
+// Stops all that are struck, and those again whose bodies others have changed.
+function solveStruck(t: RigidTable, passes: i32, solved: real): void {
+  const first = ++t.pass;
+  for (let last = first + passes; t.pass < last; t.pass++) {
+    let change: real = 0;
+    for (let i = 0; i < t.struckCount; i++) {
+      const impact = impactAt(t, word(t.struck, i));
+      const pushed = max<i32>(word(t.pushes, impact.rowA), word(t.pushes, impact.rowB));
+      if (t.pass > first && pushed < t.pass - 1) continue;
+      const changed = stop(impact);
+      if (changed <= solved) continue;
+      change = max<real>(change, changed);
+      putWord(t.pushes, impact.rowA, t.pass);
+      putWord(t.pushes, impact.rowB, t.pass);
+    }
+    putWord(t.pushes, 0, 0);
+    if (change <= solved) break;
+  }
+}
+
+// A restitution above 1 adds energy once in a step, and counts as 1 in further rounds, which it would feed.
+function throwBack(impact: Impact): void {
+  for (let i = 0; i < impact.count; i++) {
+    const point = pointOf(impact, i);
+    const impulse = impact.restitution * point.impulse;
+    point.given += impulse;
+    pushApart(impact, point, impulse);
+  }
+  impact.restitution = min<real>(1, impact.restitution);
+}
+
+// Lists the contacts of a body that close faster than `slowest`.
+function reachBody(t: RigidTable, row: i32, slowest: real, round: i32): void {
+  if (!visit(t, row, round)) return;
+  for (let end = firstEnd(t, row); end >= 0; end = nextEnd(t, end)) {
+    const place = end >> 1;
+    const known = word(t.impactOf, place) - 1;
+    const i = known < 0 && isClosed(t, place) ? addImpact(t, place) : known;
+    if (i >= 0 && impactAt(t, i).listed == 0 && approachOf(impactAt(t, i)) > slowest) list(t, i);
+  }
+}
+
+// Coulomb friction of all that the rounds exerted.
+function rub(impact: Impact): void {
+  for (let i = 0; i < impact.count; i++) {
+    const point = pointOf(impact, i);
+    const most = impact.friction * point.given;
+    const old = point.tangentImpulse;
+    const wanted = old - point.tangentMass * slidingAt(impact, point);
+    point.tangentImpulse = wanted < most ? max<real>(-most, wanted) : most;
+    drag(impact, point, point.tangentImpulse - old);
+  }
+}
+
+// Stops all that still approach, but for those that more rounds would let bounce.
+function stopTheRest(t: RigidTable, slowest: real): void {
+  t.struckCount = 0;
+  for (let i = 0; i < t.impactCount; i++) if (impactAt(t, i).listed == 0) strike(t, i);
+  solveStruck(t, LAST_PASSES, LAST_SOLVED * slowest);
+}
