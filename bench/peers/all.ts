@@ -37,6 +37,7 @@ const PEERS: Readonly<Record<string, readonly PeerMaker[]>> = {
   washer: ENGINES,
   discs: ENGINES,
   smash: ENGINES,
+  'elastic-discs': ENGINES,
   chains: ENGINES,
 };
 

@@ -7,6 +7,7 @@ export const SCENES = [
   { scene: 'many-pyramids', count: 22_000, steps: 120, title: '`many-pyramids`, 22 000 boxes' },
   { scene: 'discs', count: 10_000, steps: 120, title: '`discs`, 10 000' },
   { scene: 'smash', count: 9600, steps: 120, title: '`smash`, 9 600 boxes' },
+  { scene: 'elastic-discs', count: 4000, steps: 300, title: '`elastic-discs`, 4 000' },
   { scene: 'tumbler', count: 2025, steps: 300, title: '`tumbler`, 2 025 boxes' },
   { scene: 'washer', count: 8100, steps: 60, title: '`washer`, 8 100 boxes' },
   { scene: 'chains', count: 2500, steps: 300, title: '`chains`, 2 500 links' },

@@ -30,6 +30,7 @@ it('240 steps of every scene end where they always ended', () => {
       "circles": "6f26557c9b4c24bb",
       "cloth": "5dffac56cde82676",
       "discs": "1c998515b81e5409",
+      "elastic-discs": "9816a8a4ddb13c83",
       "emitters": "ffc1284ca166769f",
       "fireworks": "221c65b03e030b93",
       "galaxy": "702381d7d241eebf",

@@ -30,6 +30,7 @@ describe.each([
   ['many-pyramids', 110],
   ['discs', 300],
   ['smash', 200],
+  ['elastic-discs', 200],
   ['tumbler', 200],
   ['washer', 300],
   ['chains', 100],

@@ -25,6 +25,7 @@ export { type Particles, particles } from './particles.ts';
 export { findScene, SCENES } from './registry.ts';
 export { chains } from './rigid/chains.ts';
 export { discs } from './rigid/discs.ts';
+export { elasticDiscs } from './rigid/elastic-discs.ts';
 export { jointGrid } from './rigid/joint-grid.ts';
 export { manyPyramids } from './rigid/many-pyramids.ts';
 export { pyramid } from './rigid/pyramid.ts';

@@ -12,6 +12,7 @@ import { plasma } from './n-body/plasma.ts';
 import { particles } from './particles.ts';
 import { chains } from './rigid/chains.ts';
 import { discs } from './rigid/discs.ts';
+import { elasticDiscs } from './rigid/elastic-discs.ts';
 import { jointGrid } from './rigid/joint-grid.ts';
 import { manyPyramids } from './rigid/many-pyramids.ts';
 import { pyramid } from './rigid/pyramid.ts';
@@ -42,6 +43,7 @@ export const SCENES: readonly Scene[] = [
   manyPyramids,
   discs,
   smash,
+  elasticDiscs,
   jointGrid,
   chains,
   tumbler,
