@@ -1,5 +1,15 @@
 /** What there is to knock down. Each build stands on the ground, whose surface is y = 0, about x = 0. */
-import { box, capsule, createJoint, type PhysicsWorld, polygon, revolute, type Shape, spawn } from '@principia/physics';
+import {
+  box,
+  capsule,
+  circle,
+  createJoint,
+  type PhysicsWorld,
+  polygon,
+  revolute,
+  type Shape,
+  spawn,
+} from '@principia/physics';
 
 /** The surface of all bodies of a build. */
 export interface Material {
@@ -10,6 +20,8 @@ export interface Material {
 /** Of 10 cm thickness, kg/m². */
 const WOOD = 60;
 const STONE = 250;
+/** Balls that lose nothing when they hit each other. */
+const STEEL = { density: 780, friction: 0, restitution: 1 };
 /** Space between bodies of a new build, m: less than what a contact leaves open. */
 const GAP = 0.002;
 
@@ -25,8 +37,8 @@ class Builder {
     this.#material = material;
   }
 
-  add(shape: Shape, { x, y, angle = 0 }: Place, density = WOOD): number {
-    const collider = { shape, density, ...this.#material };
+  add(shape: Shape, { x, y, angle = 0 }: Place, density = WOOD, material = this.#material): number {
+    const collider = { shape, density, ...material };
     return spawn(this.world, { position: { x, y }, rotation: angle, collider, appearance: {} });
   }
 
@@ -123,7 +135,28 @@ const mixed: Build = (builder, count) => {
   }
 };
 
-const BUILDS: Readonly<Record<string, Build>> = { tower, pyramid, dominoes, bridge, mixed };
+/** Balls that hang side by side from beams; of each row some are pulled aside. */
+const cradles: Build = (builder, count) => {
+  const [balls, radius, length, angle] = [5, 0.3, 2.4, 0.7];
+  // About one and a half times as wide as high.
+  const rows = Math.max(1, Math.round(Math.sqrt((1.4 * count) / balls)));
+  const columns = Math.max(1, Math.round(count / balls / rows));
+  const [beam, ball] = [box(2 * radius * balls, 0.15), circle(radius)];
+  for (let i = 0; i < rows * columns; i++) {
+    const x = 6.6 * ((i % columns) - (columns - 1) / 2);
+    const y = 3.2 * (Math.floor(i / columns) + 1);
+    const a = builder.addStatic(beam, { x, y });
+    for (let k = 0; k < balls; k++) {
+      const anchor = { x: x + 2 * radius * (k - (balls - 1) / 2), y };
+      const aside = k <= i % (balls - 1) ? angle : 0;
+      const place = { x: anchor.x - length * Math.sin(aside), y: y - length * Math.cos(aside) };
+      const b = builder.add(ball, place, STEEL.density, STEEL);
+      createJoint(builder.world, revolute({ a, b, anchor }));
+    }
+  }
+};
+
+const BUILDS: Readonly<Record<string, Build>> = { tower, pyramid, dominoes, bridge, cradles, mixed };
 
 /** Builds one of the choices of the panel. */
 export function build(world: PhysicsWorld, name: string, count: number, material: Material): void {

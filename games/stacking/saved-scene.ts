@@ -16,7 +16,7 @@ import type { Material } from './builds.ts';
 
 const KINDS = ['circle', 'capsule', 'polygon'] as const;
 
-/** A body: index of its shape, x, y, angle, mass (0 for one that does not move), colour. */
+/** A body: index of its shape, x, y, angle, mass (0 for one that does not move), colour, friction, restitution. */
 type SavedBody = readonly number[];
 /** A joint: indices of its bodies (−1 for the world), kind, anchors, angle, motor speed and torque. */
 type SavedJoint = readonly number[];
@@ -45,9 +45,16 @@ export function sceneOf(world: PhysicsWorld, ground: number): SavedScene {
     return known.get(key) as number;
   };
   const saved = ids.map((id) =>
-    [shapeOf(id), Position.x[id], Position.y[id], Rotation.angle[id], finite(Mass.value[id]), Appearance.color[id]].map(
-      round,
-    ),
+    [
+      shapeOf(id),
+      Position.x[id],
+      Position.y[id],
+      Rotation.angle[id],
+      finite(Mass.value[id]),
+      Appearance.color[id],
+      Collider.friction[id],
+      Collider.restitution[id],
+    ].map(round),
   );
   const place = (id: number) => ids.indexOf(id);
   const joints = [...query(world, [Joint])].map((id) => {
@@ -70,8 +77,10 @@ function numbersOf({ kind, radius, vertices }: Shape): number[] {
 /** Builds a saved scene in an empty world. */
 export function buildScene(world: PhysicsWorld, scene: SavedScene, material: Material): void {
   const shapes = scene.shapes.map(shapeFrom);
-  const ids = scene.bodies.map(([shape, x, y, angle, mass, color]) => {
-    const collider = { shape: shapes[shape], ...material };
+  const ids = scene.bodies.map(([shape, x, y, angle, mass, color, ...surface]) => {
+    // Links that are older have no surfaces.
+    const [friction = material.friction, restitution = material.restitution] = surface;
+    const collider = { shape: shapes[shape], friction, restitution };
     const body = { position: { x, y }, rotation: angle, collider, appearance: { color: color >>> 0 } };
     return spawn(world, mass > 0 ? { ...body, mass, velocity: {} } : body);
   });

@@ -26,7 +26,7 @@ export const settings = {
   },
   gravity: { ...number, label: words.gravity, unit: 'm/s²', initial: 9.81, max: 30 },
   friction: { ...number, label: words.friction, unit: '', initial: 0.6, max: 1.5 },
-  restitution: { ...number, label: words.restitution, unit: '', initial: 0, max: 0.9 },
+  restitution: { ...number, label: words.restitution, unit: '', initial: 0, max: 1 },
   layer: {
     kind: 'choice',
     label: words.layer[0],

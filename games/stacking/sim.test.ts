@@ -47,6 +47,27 @@ it('a bridge of hinged planks carries its load', () => {
   ).toBe(true);
 });
 
+it('as many balls of a cradle leave as come, and they swing for twenty seconds', () => {
+  const sim = make({ build: 'cradles', count: 5 });
+  const { Velocity, Mass } = sim.world.components;
+  const { ids, count } = bodies(sim.world);
+  const balls = Array.from(ids.subarray(0, count)).filter((id) => id !== sim.ground && Mass.value[id] > 0);
+  // 2.4 m long, a quarter of a period is 0.79 s at 40 degrees.
+  run(sim, 1);
+  expect(balls.map((id) => Math.abs(Velocity.x[id]) > 0.5)).toEqual([false, false, false, false, true]);
+  const fastest = () => {
+    let most = 0;
+    for (let i = 0; i < 200; i++) {
+      step(sim.world, sim.dt);
+      for (const id of balls) most = Math.max(most, Math.abs(Velocity.x[id]));
+    }
+    return most;
+  };
+  const start = fastest();
+  run(sim, 14);
+  expect((fastest() / start) ** 2).toBeGreaterThan(0.95);
+});
+
 it('a ball and a blast knock over what stood, and a block lands on top', () => {
   for (const act of [throwBall, blast]) {
     const sim = run(make(), 1);

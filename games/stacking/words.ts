@@ -13,7 +13,14 @@ const en = {
     restitution: 'Restitution',
     layer: ['Show', 'What the engine knows, drawn over the bodies'],
   },
-  builds: { tower: 'Tower', pyramid: 'Pyramid', dominoes: 'Dominoes', bridge: 'Bridge', mixed: 'Mixed' },
+  builds: {
+    tower: 'Tower',
+    pyramid: 'Pyramid',
+    dominoes: 'Dominoes',
+    bridge: 'Bridge',
+    cradles: 'Newton’s cradles',
+    mixed: 'Mixed',
+  },
   layers: {
     none: 'Bodies only',
     contacts: 'Contacts',
@@ -71,7 +78,14 @@ const de: Words = {
     restitution: 'Stoßzahl',
     layer: ['Zeigen', 'Was die Physik weiß, über die Körper gezeichnet'],
   },
-  builds: { tower: 'Turm', pyramid: 'Pyramide', dominoes: 'Dominosteine', bridge: 'Brücke', mixed: 'Gemischt' },
+  builds: {
+    tower: 'Turm',
+    pyramid: 'Pyramide',
+    dominoes: 'Dominosteine',
+    bridge: 'Brücke',
+    cradles: 'Kugelstoßpendel',
+    mixed: 'Gemischt',
+  },
   layers: {
     none: 'Nur Körper',
     contacts: 'Kontakte',

@@ -72,7 +72,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     run(world, 0.5);
     // 2 m/(m + 2 m) = 2/3 goes on at each, which throws back a third.
     const last = 6 * (2 / 3) ** 3;
-    expect(world.components.Velocity.x[row[3] as number]).toBeCloseTo(last, 1);
+    expect(Math.abs((world.components.Velocity.x[row[3] as number] as number) - last)).toBeLessThan(3 * LEFT_OVER);
     expect(energy(world).kinetic).toBeCloseTo(0.5 * 36, precision === 'f32' ? 3 : 6);
   });
 
@@ -117,10 +117,8 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     expect(Math.abs(y[lying] as number)).toBeLessThan(LEFT_OVER);
   });
 
-  it.each([
-    [1, 0.5, 3],
-    [2, 0.5, 3],
-  ])('a cradle of five on rods, of which %i are lifted, swings for 20 s', (lifted, angle) => {
+  it.each([1, 2])('a cradle of five on rods, of which %i are lifted, swings for 20 s', (lifted) => {
+    const angle = 0.5;
     const world = rigidWorld({ precision, integrator: softStep({ sleepTime: 0 }) });
     const balls = Array.from({ length: 5 }, (_, i) => {
       const [s, c] = i < lifted ? [Math.sin(angle), Math.cos(angle)] : [0, 1];
@@ -130,7 +128,6 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       return ball;
     });
     const start = energy(world).total;
-    const period = 2 * Math.PI * Math.sqrt(5 / G);
     let middle = 0;
     for (let i = 0; i < 20 / DT; i++) {
       step(world, DT);
@@ -138,8 +135,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       expect(Math.abs(energy(world).total / start - 1)).toBeLessThan(0.005);
       middle = Math.max(middle, Math.abs(world.components.Velocity.x[balls[2] as number] as number));
     }
-    expect(20).toBeGreaterThan(4 * period);
-    // None of the balls in the middle moves, but for what overlap and rods push.
+    // The ball in the middle stays, but for what overlap and rods push: a tenth of the largest speed, φ √(g L).
     expect(middle).toBeLessThan(0.1 * 5 * angle * Math.sqrt(G / 5));
   });
 

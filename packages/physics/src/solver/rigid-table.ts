@@ -53,7 +53,7 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 function rowBytes(precision: Precision): number {
   const bytes = realBytes(precision);
   const records = SLEEPER_BYTES[precision] + 4 * TREE_NODE_BYTES[precision] + TREE_ROW_BLOCK[precision] + CROWD_BYTES;
-  return 16 * bytes + 4 * bytes + bytes + records + 17 * 4;
+  return 21 * bytes + records + 17 * 4;
 }
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
@@ -155,7 +155,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 42 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 43 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(precision))));
   const take = (word: Word, size: number) => {

@@ -7,8 +7,8 @@ import { blockAt, contactOf, laneAt } from './contact-place';
 import { Impact, impactAt, pointOf } from './impact';
 import { RigidTable } from './rigid-table';
 
-// From step to step the impulses of a contact that an impact reached become at most this many times as large, and that of a speed,
-// m/s, larger.
+// From step to step the impulses of a contact that an impact reached grow at most to this many times what they were, and by a speed,
+// m/s, times the effective mass.
 const GROWTH: real = 2;
 const LEAST_GROWTH: real = 0.01;
 
