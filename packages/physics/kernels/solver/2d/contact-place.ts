@@ -1,13 +1,11 @@
 // A contact by its place: the lane of a block, counted from the first one.
+import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
 import { RigidContact, contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
 import { BodyState, word } from './body';
 import * as block from './contact-block';
 import { RigidTable } from './rigid-table';
-
-// Surfaces that are no farther apart touch, m: the slop of the solver.
-const CLOSE: real = 0.005;
 
 // @ts-ignore: decorator
 @inline export function blockAt(t: RigidTable, place: i32): usize {
@@ -30,13 +28,13 @@ const CLOSE: real = 0.005;
   return get(p + block.NORMAL_SPEED, l) <= -(<real>t.restitutionThreshold);
 }
 
-// Whether the surfaces touch: an impulse passed in this step, or they are close now.
+// Whether the surfaces touch: an impulse passed in this step, or they are no farther apart than the slop.
 export function isClosed(t: RigidTable, place: i32): bool {
   const at = blockAt(t, place);
   const l = laneAt(place);
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
     if (get(p + block.NORMAL_MASS, l) == 0) continue;
-    if (get(p + block.TOTAL_IMPULSE, l) != 0 || separationAt(at, p, l) <= CLOSE) return true;
+    if (get(p + block.TOTAL_IMPULSE, l) != 0 || separationAt(at, p, l) <= TARGET) return true;
   }
   return false;
 }
