@@ -1,4 +1,4 @@
-/** A dot on every joint: white for hinges, amber for motors, grey for welds; and a string to what hangs from it. */
+/** A dot on every joint: white for hinges, amber for motors, grey for welds; and a line to what hangs far below. */
 import 'pixi.js/graphics';
 import type { PhysicsWorld } from '@principia/physics';
 import { query } from 'bitecs';
@@ -6,9 +6,9 @@ import { Container, Graphics } from 'pixi.js';
 
 /** `Joint.kind` of a weld. */
 const WELD = 2;
-/** Bodies whose centre is farther away hang from their joint, m. */
-const STRING = 1;
-const STRING_WIDTH = 0.03;
+/** A body gets a line if its centre is farther from the joint than this; and the width of the line, m. */
+const LINE = 1;
+const LINE_WIDTH = 0.03;
 const COLORS = { hinge: 0xffffff, motor: 0xffc15e, weld: 0x8fa0e0 } as const;
 
 export interface JointMarks {
@@ -20,7 +20,7 @@ export interface JointMarks {
 export function createJointMarks(world: PhysicsWorld): JointMarks {
   const container = new Container();
   const marks: Graphics[] = [];
-  const strings: Graphics[] = [];
+  const lines: Graphics[] = [];
   const { Joint, Position, Rotation } = world.components;
   const old = world.previous;
   return {
@@ -30,14 +30,14 @@ export function createJointMarks(world: PhysicsWorld): JointMarks {
       while (marks.length < joints.length) {
         const mark = new Graphics().circle(0, 0, 1).fill(0xffffff);
         marks.push(mark);
-        const string = new Graphics().rect(0, -0.5, 1, 1).fill({ color: 0xffffff, alpha: 0.35 });
-        strings.push(string);
-        container.addChild(string, mark);
+        const line = new Graphics().rect(0, -0.5, 1, 1).fill({ color: 0xffffff, alpha: 0.35 });
+        lines.push(line);
+        container.addChild(line, mark);
       }
       const size = Math.max(0.05, 3.5 / pixelsPerMetre);
       for (let i = 0; i < marks.length; i++) {
         marks[i].visible = i < joints.length;
-        strings[i].visible = false;
+        lines[i].visible = false;
         if (i >= joints.length) continue;
         const joint = joints[i];
         const b = Joint.b[joint];
@@ -50,11 +50,11 @@ export function createJointMarks(world: PhysicsWorld): JointMarks {
         marks[i].position.set(x + c * bx - s * by, -(y + s * bx + c * by));
         marks[i].scale.set(size);
         const length = Math.hypot(bx, by);
-        if (length > STRING) {
-          strings[i].visible = true;
-          strings[i].position.copyFrom(marks[i].position);
-          strings[i].rotation = Math.PI - angle - Math.atan2(by, bx);
-          strings[i].scale.set(length, Math.max(STRING_WIDTH, 1 / pixelsPerMetre));
+        if (length > LINE) {
+          lines[i].visible = true;
+          lines[i].position.copyFrom(marks[i].position);
+          lines[i].rotation = Math.PI - angle - Math.atan2(by, bx);
+          lines[i].scale.set(length, Math.max(LINE_WIDTH, 1 / pixelsPerMetre));
         }
         const kind = Joint.kind[joint] === WELD ? 'weld' : Joint.maxMotor[joint] > 0 ? 'motor' : 'hinge';
         // Pixi converts a tint whenever it is set, which allocates objects.

@@ -78,7 +78,7 @@ function numbersOf({ kind, radius, vertices }: Shape): number[] {
 export function buildScene(world: PhysicsWorld, scene: SavedScene, material: Material): void {
   const shapes = scene.shapes.map(shapeFrom);
   const ids = scene.bodies.map(([shape, x, y, angle, mass, color, ...surface]) => {
-    // Links that are older have no surfaces.
+    // Older links have no surfaces.
     const [friction = material.friction, restitution = material.restitution] = surface;
     const collider = { shape: shapes[shape], friction, restitution };
     const body = { position: { x, y }, rotation: angle, collider, appearance: { color: color >>> 0 } };

@@ -171,4 +171,20 @@ describe('tools', () => {
     }
     await expect(writeScene(sceneOf(make({ count: 900 }).world, 0))).rejects.toThrow(/250 bodies at most/);
   });
+
+  it('a link keeps the surface of each body; one without surfaces has those of the panel', async () => {
+    const sim = make({ build: 'cradles', count: 5 });
+    const scene = await readScene(await writeScene(sceneOf(sim.world, sim.ground)));
+    const older = { ...scene, bodies: scene.bodies.map((body) => body.slice(0, 6)) };
+    const values = { ...VALUES, friction: 0.25, restitution: 0.5 };
+    const surfaces = (saved: typeof scene) => {
+      const { world, ground } = createSim({ values, seed: 1, scene: saved });
+      const { friction, restitution } = world.components.Collider;
+      const { ids, count } = bodies(world);
+      const others = Array.from(ids.subarray(0, count)).filter((id) => id !== ground);
+      return others.map((id) => `${friction[id].toFixed(2)} ${restitution[id].toFixed(2)}`);
+    };
+    expect(surfaces(scene)).toEqual(['0.60 0.00', ...Array(5).fill('0.00 1.00')]);
+    expect(surfaces(older)).toEqual(Array(6).fill('0.25 0.50'));
+  });
 });

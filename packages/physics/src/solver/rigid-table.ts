@@ -130,7 +130,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
     Word.usedColors,
     Word.awake,
     Word.crowded,
-    Word.firstEnds,
+    Word.firstEdges,
     Word.visits,
     Word.pushes,
   ]) {
@@ -177,7 +177,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.impacts, IMPACT_SIZE[precision] * words[Word.impactCapacity]);
   for (const word of [Word.approaching, Word.struck]) take(word, 4 * words[Word.impactCapacity]);
   take(Word.impactOf, 4 * places);
-  take(Word.nextEnds, 8 * places);
+  take(Word.nextEdges, 8 * places);
   for (const word of [Word.endA, Word.endB]) take(word, 4 * capacity);
   for (const word of [Word.sensorBeginSensors, Word.sensorBeginVisitors]) take(word, 4 * capacity);
   for (const word of [Word.sensorEndSensors, Word.sensorEndVisitors]) take(word, 4 * capacity);

@@ -22,6 +22,12 @@ import { RigidTable } from './rigid-table';
   return contactAt(t, word(blockAt(t, place) + block.SLOT, laneAt(place)));
 }
 
+// The address of one of its points.
+// @ts-ignore: decorator
+@inline export function pointAt(t: RigidTable, place: i32, i: i32): usize {
+  return blockAt(t, place) + block.POINTS + <usize>i * block.POINT;
+}
+
 // Whether a point approached faster than the threshold when the step began.
 // @ts-ignore: decorator
 @inline export function isFast(t: RigidTable, p: usize, l: i32): bool {
@@ -29,7 +35,7 @@ import { RigidTable } from './rigid-table';
 }
 
 // Whether the surfaces touch: an impulse passed in this step, or they are no farther apart than the slop.
-export function isClosed(t: RigidTable, place: i32): bool {
+export function isTouching(t: RigidTable, place: i32): bool {
   const at = blockAt(t, place);
   const l = laneAt(place);
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {

@@ -3,7 +3,7 @@ import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid
 import { get, put } from '../../memory/columns';
 import { flagsOf, isPushed, putWord, word } from './body';
 import * as block from './contact-block';
-import { blockAt, contactOf, laneAt } from './contact-place';
+import { blockAt, contactOf, laneAt, pointAt } from './contact-place';
 import { Impact, impactAt, pointOf } from './impact';
 import { RigidTable } from './rigid-table';
 
@@ -46,7 +46,7 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
   impact.friction = get(at + block.FRICTION, l);
   impact.tangentSpeed = get(at + block.TANGENT_SPEED, l);
   for (let i = 0; i < contact.count; i++) {
-    const p = at + block.POINTS + <usize>i * block.POINT;
+    const p = pointAt(t, place, i);
     const point = pointOf(impact, i);
     point.leverA = get(p + block.NORMAL_LEVER_A, l);
     point.leverB = get(p + block.NORMAL_LEVER_B, l);
@@ -81,7 +81,7 @@ export function storeImpact(t: RigidTable, impact: Impact): void {
     const point = pointOf(impact, i);
     const change = point.given - point.taken;
     if (change == 0) continue;
-    const p = at + block.POINTS + <usize>i * block.POINT;
+    const p = pointAt(t, impact.place, i);
     put(p + block.TOTAL_IMPULSE, l, get(p + block.TOTAL_IMPULSE, l) + change);
     const most = GROWTH * contactPointOf(contact, i).normalImpulse + LEAST_GROWTH * point.mass;
     const impulse = get(p + block.NORMAL_IMPULSE, l);
@@ -89,7 +89,7 @@ export function storeImpact(t: RigidTable, impact: Impact): void {
   }
   scale(at + block.ROLLING_IMPULSE, l, part);
   for (let i = 0; i < impact.count; i++) {
-    const p = at + block.POINTS + <usize>i * block.POINT;
+    const p = pointAt(t, impact.place, i);
     scale(p + block.NORMAL_IMPULSE, l, part);
     scale(p + block.TANGENT_IMPULSE, l, part);
   }

@@ -5,9 +5,17 @@
 // Source: Smith et al., Reflections on Simultaneous Impact (SIGGRAPH 2012), section 4.
 import { get, put } from '../../memory/columns';
 import { putWord, word } from './body';
-import { firstEnd, nextEnd, visit } from './contact-ends';
-import { isClosed } from './contact-place';
-import { Impact, drag, impactAt, pointOf, pushApart, slidingAt, speedAt } from './impact';
+import { firstEdge, nextEdge, visit } from './contact-edges';
+import { isTouching } from './contact-place';
+import {
+  Impact,
+  applyTangentImpulse,
+  impactAt,
+  pointOf,
+  applyNormalImpulse,
+  tangentSpeedAt,
+  normalSpeedAt,
+} from './impact';
 import { addImpact } from './impact-list';
 import { RigidTable } from './rigid-table';
 import { stop } from './stop-impact';
@@ -32,7 +40,7 @@ export function bounceInRounds(t: RigidTable): void {
   const slowest = max<real>(<real>t.restitutionThreshold, AT_REST);
   t.approachingCount = 0;
   t.pass = 0;
-  for (let i = 0; i < t.impactCount; i++) list(t, i);
+  for (let i = 0; i < t.impactCount; i++) addApproaching(t, i);
   for (let round = 1; round <= MAX_ROUNDS; round++) {
     findFastest(t, slowest);
     if (t.approachingCount == 0) break;
@@ -46,13 +54,13 @@ export function bounceInRounds(t: RigidTable): void {
     }
   }
   for (let pass = 0; pass < FRICTION_PASSES; pass++) {
-    for (let i = 0; i < t.impactCount; i++) rub(impactAt(t, i));
+    for (let i = 0; i < t.impactCount; i++) applyFriction(impactAt(t, i));
   }
   stopTheRest(t, slowest);
 }
 
 // @ts-ignore: decorator
-@inline function list(t: RigidTable, i: i32): void {
+@inline function addApproaching(t: RigidTable, i: i32): void {
   impactAt(t, i).listed = 1;
   putWord(t.approaching, t.approachingCount++, i);
 }
@@ -75,7 +83,7 @@ function findFastest(t: RigidTable, slowest: real): void {
     if (impact.approach > get(t.fastest, impact.rowA)) put(t.fastest, impact.rowA, impact.approach);
     if (impact.approach > get(t.fastest, impact.rowB)) put(t.fastest, impact.rowB, impact.approach);
   }
-  // What does not move is no reason to wait.
+  // What contacts do not push has no fastest approach.
   put(t.fastest, 0, 0);
 }
 
@@ -83,7 +91,7 @@ function findFastest(t: RigidTable, slowest: real): void {
 function approachOf(impact: Impact): real {
   let fastest: real = 0;
   for (let i = 0; i < impact.count; i++) {
-    const approach = -speedAt(impact, pointOf(impact, i));
+    const approach = -normalSpeedAt(impact, pointOf(impact, i));
     if (approach > fastest) fastest = approach;
   }
   return fastest;
@@ -132,7 +140,7 @@ function throwBack(impact: Impact): void {
     const point = pointOf(impact, i);
     const impulse = impact.restitution * point.impulse;
     point.given += impulse;
-    pushApart(impact, point, impulse);
+    applyNormalImpulse(impact, point, impulse);
   }
   impact.restitution = min<real>(1, impact.restitution);
 }
@@ -140,23 +148,23 @@ function throwBack(impact: Impact): void {
 // Lists the contacts of a body that close faster than `slowest`.
 function reachBody(t: RigidTable, row: i32, slowest: real, round: i32): void {
   if (!visit(t, row, round)) return;
-  for (let end = firstEnd(t, row); end >= 0; end = nextEnd(t, end)) {
-    const place = end >> 1;
+  for (let edge = firstEdge(t, row); edge >= 0; edge = nextEdge(t, edge)) {
+    const place = edge >> 1;
     const known = word(t.impactOf, place) - 1;
-    const i = known < 0 && isClosed(t, place) ? addImpact(t, place) : known;
-    if (i >= 0 && impactAt(t, i).listed == 0 && approachOf(impactAt(t, i)) > slowest) list(t, i);
+    const i = known < 0 && isTouching(t, place) ? addImpact(t, place) : known;
+    if (i >= 0 && impactAt(t, i).listed == 0 && approachOf(impactAt(t, i)) > slowest) addApproaching(t, i);
   }
 }
 
 // Coulomb friction of all that the rounds exerted.
-function rub(impact: Impact): void {
+function applyFriction(impact: Impact): void {
   for (let i = 0; i < impact.count; i++) {
     const point = pointOf(impact, i);
     const most = impact.friction * point.given;
     const old = point.tangentImpulse;
-    const wanted = old - point.tangentMass * slidingAt(impact, point);
+    const wanted = old - point.tangentMass * tangentSpeedAt(impact, point);
     point.tangentImpulse = wanted < most ? max<real>(-most, wanted) : most;
-    drag(impact, point, point.tangentImpulse - old);
+    applyTangentImpulse(impact, point, point.tangentImpulse - old);
   }
 }
 

@@ -65,28 +65,28 @@ const POINT: usize = 10 * sizeof<real>();
 }
 
 // The speed of b from a along the normal at a point, m/s.
-export function speedAt(impact: Impact, point: ImpactPoint): real {
+export function normalSpeedAt(impact: Impact, point: ImpactPoint): real {
   const a = changetype<BodyState>(impact.stateA);
   const b = changetype<BodyState>(impact.stateB);
   return impact.nx * (b.vx - a.vx) + impact.ny * (b.vy - a.vy) + (b.w * point.leverB - a.w * point.leverA);
 }
 
 // Pushes the bodies apart at a point with an impulse along the normal, N s.
-export function pushApart(impact: Impact, point: ImpactPoint, impulse: real): void {
-  exert(impact, impulse * impact.nx, impulse * impact.ny, impulse * point.leverA, impulse * point.leverB);
+export function applyNormalImpulse(impact: Impact, point: ImpactPoint, impulse: real): void {
+  applyImpulse(impact, impulse * impact.nx, impulse * impact.ny, impulse * point.leverA, impulse * point.leverB);
 }
 
 // The speed of b from a along the tangent (n_y, -n_x) at a point, less that of the surfaces, m/s.
-export function slidingAt(impact: Impact, point: ImpactPoint): real {
+export function tangentSpeedAt(impact: Impact, point: ImpactPoint): real {
   const a = changetype<BodyState>(impact.stateA);
   const b = changetype<BodyState>(impact.stateB);
   const turning = b.w * point.tangentLeverB - a.w * point.tangentLeverA;
   return impact.ny * (b.vx - a.vx) - impact.nx * (b.vy - a.vy) + turning - impact.tangentSpeed;
 }
 
-// The same along the tangent as `pushApart`.
-export function drag(impact: Impact, point: ImpactPoint, impulse: real): void {
-  exert(
+// The same along the tangent as `applyNormalImpulse`.
+export function applyTangentImpulse(impact: Impact, point: ImpactPoint, impulse: real): void {
+  applyImpulse(
     impact,
     impulse * impact.ny,
     -impulse * impact.nx,
@@ -96,7 +96,7 @@ export function drag(impact: Impact, point: ImpactPoint, impulse: real): void {
 }
 
 // An impulse (x, y) on b, the opposite one on a, and their moments about the centres of both.
-function exert(impact: Impact, x: real, y: real, turnA: real, turnB: real): void {
+function applyImpulse(impact: Impact, x: real, y: real, turnA: real, turnB: real): void {
   const a = changetype<BodyState>(impact.stateA);
   const b = changetype<BodyState>(impact.stateB);
   a.vx -= impact.massAx * x;

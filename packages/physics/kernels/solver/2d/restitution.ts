@@ -7,14 +7,14 @@
 //
 // What meets within a step is as fast as when it met: u² = u₀² + 2 a s, from the speed u₀ and the separation s before the step,
 // with the mean acceleration a of the step.
-import { SEARCHED, pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get } from '../../memory/columns';
 import { LANES, splat } from '../../memory/lanes';
-import { putWord } from './body';
+import { putWord, word } from './body';
 import * as block from './contact-block';
-import { firstEnd, linkContacts, nextEnd, visit } from './contact-ends';
-import { blockAt, contactOf, isFast, laneAt } from './contact-place';
-import { Impact, drag, impactAt, pointOf, pushApart, speedAt } from './impact';
+import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
+import { contactOf, isFast, laneAt, pointAt } from './contact-place';
+import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
 import { RigidTable } from './rigid-table';
@@ -63,7 +63,8 @@ function findImpacts(t: RigidTable): void {
 
 function isHit(t: RigidTable, place: i32): bool {
   const l = laneAt(place);
-  for (let p = blockAt(t, place) + block.POINTS, i = 0; i < 2; i++, p += block.POINT) {
+  for (let i = 0; i < 2; i++) {
+    const p = pointAt(t, place, i);
     if (isFast(t, p, l) && get(p + block.TOTAL_IMPULSE, l) != 0) return true;
   }
   return false;
@@ -81,21 +82,18 @@ function findImpact(t: RigidTable, place: i32): void {
     searchBody(t, impact.rowB);
   }
   if (bounces) return;
-  for (let i = first; i < t.impactCount; i++) putWord(t.impactOf, impactAt(t, i).place, 0);
+  for (let i = first; i < t.impactCount; i++) putWord(t.impactOf, impactAt(t, i).place, -1);
   t.impactCount = first;
 }
 
 function search(t: RigidTable, place: i32): void {
-  const contact = contactOf(t, place);
-  if ((contact.flags & SEARCHED) != 0) return;
-  contact.flags |= SEARCHED;
-  addImpact(t, place);
+  if (word(t.impactOf, place) == 0) addImpact(t, place);
 }
 
 function searchBody(t: RigidTable, row: i32): void {
   if (!visit(t, row, SEARCH)) return;
-  for (let end = firstEnd(t, row); end >= 0; end = nextEnd(t, end)) {
-    if (isHit(t, end >> 1) || isStruck(t, end >> 1)) search(t, end >> 1);
+  for (let edge = firstEdge(t, row); edge >= 0; edge = nextEdge(t, edge)) {
+    if (isHit(t, edge >> 1) || isStruck(t, edge >> 1)) search(t, edge >> 1);
   }
 }
 
@@ -109,7 +107,8 @@ function searchBody(t: RigidTable, row: i32): void {
 function isStruck(t: RigidTable, place: i32): bool {
   const l = laneAt(place);
   const speed = LEAST_PART * <real>t.restitutionThreshold;
-  for (let p = blockAt(t, place) + block.POINTS, i = 0; i < 2; i++, p += block.POINT) {
+  for (let i = 0; i < 2; i++) {
+    const p = pointAt(t, place, i);
     const total = get(p + block.TOTAL_IMPULSE, l);
     const least = speed * get(p + block.NORMAL_MASS, l);
     if (total <= least) continue;
@@ -124,12 +123,16 @@ function takeBack(t: RigidTable, impact: Impact): void {
   const l = laneAt(impact.place);
   const contact = contactOf(t, impact.place);
   for (let i = 0; i < impact.count; i++) {
-    const p = blockAt(t, impact.place) + block.POINTS + <usize>i * block.POINT;
+    const p = pointAt(t, impact.place, i);
     const point = pointOf(impact, i);
     const began = contactPointOf(contact, i);
     point.taken = beyond(get(p + block.TOTAL_IMPULSE, l), substeps(t) * began.normalImpulse);
-    pushApart(impact, point, -point.taken);
-    drag(impact, point, -beyond(get(p + block.TOTAL_TANGENT_IMPULSE, l), substeps(t) * began.tangentImpulse));
+    applyNormalImpulse(impact, point, -point.taken);
+    applyTangentImpulse(
+      impact,
+      point,
+      -beyond(get(p + block.TOTAL_TANGENT_IMPULSE, l), substeps(t) * began.tangentImpulse),
+    );
   }
 }
 
@@ -144,16 +147,16 @@ function slowToImpact(t: RigidTable, impact: Impact, fast: bool): void {
   const l = laneAt(impact.place);
   const contact = contactOf(t, impact.place);
   for (let i = 0; i < impact.count; i++) {
-    const p = blockAt(t, impact.place) + block.POINTS + <usize>i * block.POINT;
+    const p = pointAt(t, impact.place, i);
     if (isFast(t, p, l) != fast) continue;
     const point = pointOf(impact, i);
-    const speed = speedAt(impact, point);
+    const speed = normalSpeedAt(impact, point);
     const start = min<real>(0, get(p + block.NORMAL_SPEED, l));
     const way = fast ? max<real>(0, contactPointOf(contact, i).separation) : <real>0;
     const gained = (<real>2 * way * max<real>(0, start - speed)) / <real>t.dt;
     const excess = -sqrt<real>(start * start + gained) - speed;
     if (!(excess > 0)) continue;
     point.taken -= excess * point.mass;
-    pushApart(impact, point, excess * point.mass);
+    applyNormalImpulse(impact, point, excess * point.mass);
   }
 }

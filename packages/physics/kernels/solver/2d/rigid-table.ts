@@ -143,11 +143,11 @@ export class RigidTable {
   hitCount: i32;
   // Contacts with restitution in this step.
   bouncyCount: i32;
-  // Contacts by body (contact-ends.ts): by row, one more than the first end; by end, one more than the next of the same body.
-  firstEnds: usize;
-  nextEnds: usize;
-  // Impacts (restitution.ts): class Impact; by place of a contact, one more than the index of its impact; indices of those that
-  // approach, and of those that are struck in a round.
+  // The contact graph (contact-edges.ts): by row, one more than the first edge; by edge, one more than the next of the same body.
+  firstEdges: usize;
+  nextEdges: usize;
+  // Impacts (restitution.ts): class Impact; by place of a contact, one more than the index of its impact, 0 for none, -1 where the
+  // search came to it and nothing bounces; indices of those that approach, and of those that are struck in a round.
   impacts: usize;
   impactCapacity: i32;
   impactCount: i32;

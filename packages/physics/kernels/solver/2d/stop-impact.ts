@@ -2,7 +2,7 @@
 // them. Both points of a contact at once: one after the other would be unequal although they are alike, and a box that
 // falls flat would bounce askew. Source: Catto, Iterative Dynamics with Temporal Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
 import * as block from './contact-block';
-import { Impact, ImpactPoint, pointOf, pushApart, speedAt } from './impact';
+import { Impact, ImpactPoint, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
 const LEAST_DETERMINANT: real = 1e-3;
@@ -10,13 +10,13 @@ const LEAST_DETERMINANT: real = 1e-3;
 // Returns by how much it changed the speed of a point, m/s.
 export function stop(impact: Impact): real {
   const p = pointOf(impact, 0);
-  if (impact.count < 2) return setImpulse(impact, p, p.impulse - p.mass * speedAt(impact, p));
+  if (impact.count < 2) return setImpulse(impact, p, p.impulse - p.mass * normalSpeedAt(impact, p));
   const q = pointOf(impact, 1);
   const pp = <real>1 / p.mass;
   const qq = <real>1 / q.mass;
   const pq = impact.coupling;
-  const speedP = speedAt(impact, p) - (pp * p.impulse + pq * q.impulse);
-  const speedQ = speedAt(impact, q) - (pq * p.impulse + qq * q.impulse);
+  const speedP = normalSpeedAt(impact, p) - (pp * p.impulse + pq * q.impulse);
+  const speedQ = normalSpeedAt(impact, q) - (pq * p.impulse + qq * q.impulse);
   const determinant = pp * qq - pq * pq;
   if (determinant > LEAST_DETERMINANT * pp * qq) {
     const impulseP = (pq * speedQ - qq * speedP) / determinant;
@@ -38,6 +38,6 @@ function setImpulse(impact: Impact, point: ImpactPoint, wanted: real): real {
   const delta = impulse - point.impulse;
   point.impulse = impulse;
   point.given += delta;
-  pushApart(impact, point, delta);
+  applyNormalImpulse(impact, point, delta);
   return abs<real>(delta) / point.mass;
 }

@@ -83,8 +83,6 @@ export const COVERED: u32 = 512;
 export const IS_DEEP: u32 = 1024;
 // The manifold is that of the moment in this step at which the shapes will meet (collide-ahead.ts).
 export const FORESEEN: u32 = 2048;
-// The search for impacts came to it in this step (solver/2d/restitution.ts).
-export const SEARCHED: u32 = 4096;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

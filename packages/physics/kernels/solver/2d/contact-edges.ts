@@ -1,4 +1,4 @@
-// The contacts of each body, as lists of ends: a contact has two, at a and at b, and a body those of all contacts that push it.
+// The contact graph: each contact has two edges, one at a and one at b, and a body the list of those of all contacts that push it.
 import { get } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
 import { flagsOf, isPushed, putWord, word } from './body';
@@ -9,7 +9,7 @@ import { RigidTable } from './rigid-table';
 // Makes the lists of all bodies, and forgets the impacts of the last time.
 export function linkContacts(t: RigidTable): void {
   for (let i = 0; i < t.awakeCount; i++) {
-    putWord(t.firstEnds, word(t.awake, i), 0);
+    putWord(t.firstEdges, word(t.awake, i), 0);
     putWord(t.visits, word(t.awake, i), 0);
     putWord(t.pushes, word(t.awake, i), 0);
   }
@@ -17,27 +17,27 @@ export function linkContacts(t: RigidTable): void {
     putWord(t.impactOf, place, 0);
     if (get(blockAt(t, place) + block.POINTS + block.NORMAL_MASS, laneAt(place)) == 0) continue;
     const contact = contactOf(t, place);
-    linkEnd(t, contact.bodyA, 2 * place);
-    linkEnd(t, contact.bodyB, 2 * place + 1);
+    linkEdge(t, contact.bodyA, 2 * place);
+    linkEdge(t, contact.bodyB, 2 * place + 1);
   }
 }
 
 // @ts-ignore: decorator
-@inline function linkEnd(t: RigidTable, row: i32, end: i32): void {
+@inline function linkEdge(t: RigidTable, row: i32, edge: i32): void {
   if (!isPushed(flagsOf(t, row))) return;
-  putWord(t.nextEnds, end, word(t.firstEnds, row));
-  putWord(t.firstEnds, row, end + 1);
+  putWord(t.nextEdges, edge, word(t.firstEdges, row));
+  putWord(t.firstEdges, row, edge + 1);
 }
 
-// The first and the next end of a body, or -1.
+// The first and the next edge of a body, or -1.
 // @ts-ignore: decorator
-@inline export function firstEnd(t: RigidTable, row: i32): i32 {
-  return word(t.firstEnds, row) - 1;
+@inline export function firstEdge(t: RigidTable, row: i32): i32 {
+  return word(t.firstEdges, row) - 1;
 }
 
 // @ts-ignore: decorator
-@inline export function nextEnd(t: RigidTable, end: i32): i32 {
-  return word(t.nextEnds, end) - 1;
+@inline export function nextEdge(t: RigidTable, edge: i32): i32 {
+  return word(t.nextEdges, edge) - 1;
 }
 
 // Whether a search comes to a body that contacts push for the first time.
