@@ -64,6 +64,7 @@ export const physicsLayers: readonly string[] = [
   'joints',
   'solver',
   'queries',
+  'characters',
   'diagnostics',
   'snapshot',
   'debug',

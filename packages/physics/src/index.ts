@@ -12,6 +12,8 @@ export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';
 export { type Compound, type CompoundInput, type CompoundShape, spawnCompound } from './bodies/spawn-compound.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
 export { type Solid, type SolidMass, tensorOfParts } from './bodies/tensor-of-parts.ts';
+export type { CharacterOptions } from './characters/character.ts';
+export { type CharacterMotion, moveCharacter } from './characters/move-character.ts';
 export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
 export { capsule } from './collision/shapes/2d/capsule.ts';
 export { type ChainOptions, chain } from './collision/shapes/2d/chain.ts';

@@ -1,0 +1,145 @@
+// Characters: kinematic bodies that walk, climb steps, slide along walls and ride on what moves.
+import type { PointInput } from '../collision/shapes/2d/shape.ts';
+import { MAX_SPEED } from '../components/velocity.ts';
+import { checkNumber, checkVector } from '../errors/validate.ts';
+import { assertPlanar } from '../queries/body-query.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { type Character, type CharacterOptions, checkCharacter } from './character.ts';
+import { groundAt, groundBelow, heightAbove, isGround } from './ground.ts';
+import { pushBodies } from './push-bodies.ts';
+import { type Slide, slide, stopped } from './slide.ts';
+import { dot, plus, type Surface, type Vector2 } from './surface.ts';
+import { bodyBehind, carryingVelocity, isMovable } from './surface-body.ts';
+import { firstMeeting, touchedSurfaces } from './surroundings.ts';
+
+/** What became of a movement. */
+export interface CharacterMotion {
+  /**
+   * Velocity with which to go on, m/s: without what ground, walls and ceilings took of it. It is relative to the ground while
+   * the character stands on some, so that it rides along, and relative to the world in the air.
+   */
+  readonly velocity: Vector2;
+  /** Whether it stands on ground. */
+  readonly grounded: boolean;
+  /** Entity id of the ground; 0 in the air, and on a wall of `boxWalls` that is no entity. */
+  readonly ground: number;
+  /** Unit normal of the ground; `up` in the air. */
+  readonly normal: Vector2;
+  /** Velocity of the ground where the character stands, m/s; zero in the air. */
+  readonly groundVelocity: Vector2;
+}
+
+const ZERO: Vector2 = { x: 0, y: 0 };
+
+const SPEED_BOUNDS = { min: -MAX_SPEED, max: MAX_SPEED };
+
+/**
+ * Moves a kinematic body as a character, along what it meets and not into it: sets its velocity so that the next step, of
+ * length `dt`, carries it there. Call it once before each step. The body needs a round shape, such as an upright capsule. Only
+ * what its collider collides with stops it. If it has a mass it pushes bodies as if it were one; nothing pushes it.
+ * @param velocity that the character wants, m/s, with gravity, as in `CharacterMotion`: a jump is a velocity upwards
+ * @param dt length of the next step, s
+ * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_UNKNOWN, E_CAPACITY, E_DESTROYED; E_RANGE also for a body that is not
+ *   kinematic or has sharp corners, and in three dimensions
+ */
+export function moveCharacter(
+  world: PhysicsWorld,
+  body: number,
+  velocity: PointInput,
+  dt: number,
+  options: CharacterOptions = {},
+): CharacterMotion {
+  assertPlanar(world, 'moveCharacter');
+  const checked = checkCharacter(world, body, checkNumber(dt, 'dt', { above: 0, max: 1e9 }), options);
+  const own = checkVector(velocity, 'velocity', SPEED_BOUNDS);
+  const { Position, Velocity } = world.components;
+  const start = { x: Position.x[body], y: Position.y[body] };
+  const ground = groundAt(checked, start, touchedSurfaces(checked, start));
+  const frame = ground === undefined ? ZERO : carryingVelocity(world, ground);
+  const character = { ...checked, frame };
+  const moved =
+    ground !== undefined && dot(own, character.up) <= 0
+      ? walk(character, start, ground, own)
+      : slide(character, start, plus(ZERO, own, dt));
+  const support = bodyBehind(world, ground?.id ?? 0);
+  const end = ride(character, moved.end, support);
+  Velocity.x[body] = (end.x - start.x) / dt;
+  Velocity.y[body] = (end.y - start.y) / dt;
+  const touched = touchedSurfaces(character, moved.end);
+  // Before bodies are pushed, so that the ground still has the velocity of which the character was one step ago.
+  const motion = motionAt(character, moved.end, touched, plus(own, frame));
+  pushBodies(character, [...touched, ...moved.surfaces], plus(own, frame), support);
+  return motion;
+}
+
+/** Walks along the ground, up and down steps; over an edge it falls. */
+function walk(character: Character, start: Vector2, ground: Surface, own: Vector2): Slide {
+  const { up, right, dt, snapDistance } = character;
+  const distance = dot(own, right) * dt;
+  const wanted = { x: ground.normal.y * distance, y: -ground.normal.x * distance };
+  const straight = slide(character, start, wanted);
+  const moved = climb(character, start, wanted, straight) ?? straight;
+  const below = groundBelow(character, moved.end, snapDistance);
+  if (below !== undefined) return { end: below.position, surfaces: moved.surfaces };
+  const fallen = slide(character, moved.end, plus(ZERO, up, dot(own, up) * dt));
+  return { end: fallen.end, surfaces: [...moved.surfaces, ...fallen.surfaces] };
+}
+
+/** Part of a wanted displacement below which something is in the way. */
+const UNHINDERED = 0.99;
+
+/** Climbs a step, where the way along the ground is blocked and one over it is not; undefined if there is none. */
+function climb(character: Character, start: Vector2, wanted: Vector2, straight: Slide): Slide | undefined {
+  const { up, right, stepHeight, margin } = character;
+  const distance = dot(wanted, right);
+  if (stepHeight === 0 || distance === 0) return undefined;
+  const progress = dot(plus(straight.end, start, -1), right) / distance;
+  if (progress >= UNHINDERED) return undefined;
+  const rise = plus(ZERO, up, stepHeight);
+  const raised = plus(start, rise, firstMeeting(character, start, rise)?.fraction ?? 1);
+  const over = slide(character, raised, plus(ZERO, right, distance));
+  if (dot(plus(over.end, start, -1), right) / distance <= progress) return undefined;
+  const below = groundBelow(character, over.end, dot(plus(over.end, start, -1), up) + margin);
+  // The round lower end would roll over edges that are higher than a step.
+  if (below === undefined || heightAbove(character, start, below.surface) > stepHeight) return undefined;
+  return { end: below.position, surfaces: over.surfaces };
+}
+
+/** Carries the character along with the body that it stands on, as far as there is room. */
+function ride(character: Character, position: Vector2, body: number): Vector2 {
+  const { world, frame, right, dt } = character;
+  // A body that yields is followed up and down by where it is: two that follow each other would go down together.
+  const velocity = isMovable(world, body) ? plus(ZERO, right, dot(frame, right)) : frame;
+  const motion = plus(ZERO, velocity, dt);
+  return plus(position, motion, firstMeeting(character, position, motion, body)?.fraction ?? 1);
+}
+
+function motionAt(
+  character: Character,
+  position: Vector2,
+  touched: readonly Surface[],
+  velocity: Vector2,
+): CharacterMotion {
+  const { world, up } = character;
+  const ground = groundAt(character, position, touched);
+  const groundVelocity = ground === undefined ? ZERO : carryingVelocity(world, ground);
+  const relative = plus(velocity, groundVelocity, -1);
+  const walls = touched.filter((surface) => !isGround(character, surface, position));
+  if (ground === undefined || dot(relative, up) > 0) {
+    return {
+      velocity: stopped(character, position, velocity, walls),
+      grounded: false,
+      ground: 0,
+      normal: up,
+      groundVelocity: ZERO,
+    };
+  }
+  const level = plus(relative, up, -dot(relative, up));
+  return {
+    velocity: stopped(character, position, level, walls),
+    grounded: true,
+    ground: ground.id,
+    normal: ground.normal,
+    groundVelocity,
+  };
+}
