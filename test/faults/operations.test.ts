@@ -7,6 +7,7 @@ import {
   type EntityRef,
   entityRef,
   isAlive,
+  moveCharacter,
   PhysicsError,
   type PhysicsWorld,
   resolve,
@@ -61,6 +62,16 @@ const OPERATIONS: Record<string, (model: Model, a: number, b: number) => void> =
     spawnMany(world, a % 40, { position: { x: b % 9 }, ...(a % 2 === 0 ? { velocity: { y: 1 } } : {}), mass: 2 });
   },
   spawnBad: ({ world }, a) => void spawn(world, { position: {}, mass: a % 2 === 0 ? -1 : NaN }),
+  spawnCharacter({ world }, a, b) {
+    spawn(world, {
+      position: { x: a % 9, y: b % 4 },
+      velocity: {},
+      collider: 0.3,
+      ...(a % 2 === 0 ? { mass: 2, kinematic: {} } : {}),
+    });
+  },
+  moveCharacter: (model, a, b) =>
+    void moveCharacter(model.world, pick(model, a), { x: (b % 9) - 4, y: (a % 5) - 3 }, DT),
   despawn: (model, a) => despawn(model.world, pick(model, a)),
   rawAdd({ world }, _, b) {
     const eid = addEntity(world);
