@@ -205,6 +205,7 @@ export type { Hit, PoseInput, QueryFilter } from './queries/body-query.ts';
 export { castShape, castShapeAll } from './queries/cast-shape.ts';
 export { type NearestPoint, type NearestPointOptions, nearestPoint } from './queries/nearest-point.ts';
 export { overlapShape } from './queries/overlap-shape.ts';
+export { type BodyPairs, pairsWithin } from './queries/pairs-within.ts';
 export { bodyAt, type PickOptions } from './queries/pick.ts';
 export { rayCast, rayCastAll } from './queries/ray-cast.ts';
 export { keepState } from './snapshot/keep-state.ts';
