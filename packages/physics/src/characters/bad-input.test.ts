@@ -34,4 +34,12 @@ describe('bad input', () => {
     const ball = spawn(solid, { velocity: {}, collider: 1 });
     expect(() => moveCharacter(solid, ball, {}, DT)).toThrow(/two dimensions/);
   });
+
+  test('a step in milliseconds gets a warning, once', () => {
+    const warnings: string[] = [];
+    const other = createPhysicsWorld({ preset: rigidBodies, onWarning: ({ message }) => warnings.push(message) });
+    const walker = spawn(other, { ...BODY, position: {}, collider: { shape: capsuleOf() } });
+    for (let i = 0; i < 3; i++) moveCharacter(other, walker, {}, 16.7);
+    expect(warnings).toEqual([expect.stringContaining('milliseconds')]);
+  });
 });

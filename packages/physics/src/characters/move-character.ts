@@ -1,4 +1,5 @@
 // Characters: kinematic bodies that walk, climb steps, slide along walls and ride on what moves.
+import { warnAboutDuration } from '#warnings';
 import type { PointInput } from '../collision/shapes/2d/shape.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { checkNumber, checkVector } from '../errors/validate.ts';
@@ -52,6 +53,7 @@ export function moveCharacter(
   assertPlanar(world, 'moveCharacter');
   const checked = checkCharacter(world, body, checkNumber(dt, 'dt', { above: 0, max: 1e9 }), options);
   const own = checkVector(velocity, 'velocity', SPEED_BOUNDS);
+  warnAboutDuration(world, dt, 'moveCharacter: dt');
   const { Position, Velocity } = world.components;
   const start = { x: Position.x[body], y: Position.y[body] };
   const ground = groundAt(checked, start, touchedSurfaces(checked, start));
