@@ -13,7 +13,7 @@ export { type Compound, type CompoundInput, type CompoundShape, spawnCompound } 
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
 export { type Solid, type SolidMass, tensorOfParts } from './bodies/tensor-of-parts.ts';
 export type { CharacterOptions } from './characters/character.ts';
-export { type CharacterMotion, moveCharacter } from './characters/move-character.ts';
+export { type CharacterContact, type CharacterMotion, moveCharacter } from './characters/move-character.ts';
 export { box, type RoundingOptions } from './collision/shapes/2d/box.ts';
 export { capsule } from './collision/shapes/2d/capsule.ts';
 export { type ChainOptions, chain } from './collision/shapes/2d/chain.ts';

@@ -13,6 +13,19 @@ import { dot, plus, type Surface, type Vector2 } from './surface.ts';
 import { bodyBehind, carryingVelocity, isMovable } from './surface-body.ts';
 import { firstMeeting, touchedSurfaces } from './surroundings.ts';
 
+/** What a character touches. */
+export interface CharacterContact {
+  /** Entity id of the body, the part or the wall; 0 for a wall of `boxWalls` that is no entity. */
+  readonly body: number;
+  readonly isWall: boolean;
+  /** Point on its surface, m. */
+  readonly x: number;
+  readonly y: number;
+  /** Unit normal, towards the character. */
+  readonly nx: number;
+  readonly ny: number;
+}
+
 /** What became of a movement. */
 export interface CharacterMotion {
   /**
@@ -28,6 +41,8 @@ export interface CharacterMotion {
   readonly normal: Vector2;
   /** Velocity of the ground where the character stands, m/s; zero in the air. */
   readonly groundVelocity: Vector2;
+  /** Everything that it touches in the end, ground, walls and ceilings, such as spikes, or a wall to jump off. */
+  readonly contacts: readonly CharacterContact[];
 }
 
 const ZERO: Vector2 = { x: 0, y: 0 };
@@ -127,14 +142,10 @@ function motionAt(
   const groundVelocity = ground === undefined ? ZERO : carryingVelocity(world, ground);
   const relative = plus(velocity, groundVelocity, -1);
   const walls = touched.filter((surface) => !isGround(character, surface, position));
+  const contacts = touched.map(contactOf);
   if (ground === undefined || dot(relative, up) > 0) {
-    return {
-      velocity: stopped(character, position, velocity, walls),
-      grounded: false,
-      ground: 0,
-      normal: up,
-      groundVelocity: ZERO,
-    };
+    const stoppedVelocity = stopped(character, position, velocity, walls);
+    return { velocity: stoppedVelocity, grounded: false, ground: 0, normal: up, groundVelocity: ZERO, contacts };
   }
   const level = plus(relative, up, -dot(relative, up));
   return {
@@ -143,5 +154,10 @@ function motionAt(
     ground: ground.id,
     normal: ground.normal,
     groundVelocity,
+    contacts,
   };
+}
+
+function contactOf({ id, isWall, point, normal }: Surface): CharacterContact {
+  return { body: id, isWall, x: point.x, y: point.y, nx: normal.x, ny: normal.y };
 }

@@ -28,7 +28,13 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
   test('it stops a margin before a wall, and falls beside one as if it were free', () => {
     const world = worldWithFloor({ precision });
     spawn(world, { position: { x: 3, y: 10 }, collider: { shape: box(1, 20) } });
-    expect(walk(world, addCharacter(world, 0, STANDS), 120, right(4)).x).toBeCloseTo(2.5 - RADIUS - MARGIN, 4);
+    const stopped = walk(world, addCharacter(world, 0, STANDS), 120, right(4));
+    expect(stopped.x).toBeCloseTo(2.5 - RADIUS - MARGIN, 4);
+    const [floor, wall] = stopped.motion.contacts;
+    expect(floor).toMatchObject({ body: 1, isWall: false, nx: expect.closeTo(0, 6), ny: expect.closeTo(1, 6) });
+    expect(floor.y).toBeCloseTo(0, 6);
+    expect(wall).toMatchObject({ body: 2, isWall: false, nx: expect.closeTo(-1, 6), ny: expect.closeTo(0, 6) });
+    expect(wall.x).toBeCloseTo(2.5, 6);
     const falling = walk(world, addCharacter(world, 2, 10), 60, right(4));
     expect(falling.x).toBeCloseTo(2.5 - RADIUS - MARGIN, 4);
     expect(falling.y).toBeCloseTo(10 - (G * 60 * 61 * DT * DT) / 2, 3);
