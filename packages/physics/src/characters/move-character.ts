@@ -71,13 +71,16 @@ export function moveCharacter(
   warnAboutDuration(world, dt, 'moveCharacter: dt');
   const { Position, Velocity } = world.components;
   const start = { x: Position.x[body], y: Position.y[body] };
-  const ground = groundAt(checked, start, touchedSurfaces(checked, start));
+  const atRest = touchedSurfaces(checked, start);
+  const ground = groundAt(checked, start, atRest);
   const frame = ground === undefined ? ZERO : carryingVelocity(world, ground);
   const character = { ...checked, frame };
+  // What comes nearer depends on how the character rides along.
+  const nearby = frame.x === 0 && frame.y === 0 ? atRest : touchedSurfaces(character, start);
   const moved =
     ground !== undefined && dot(own, character.up) <= 0
-      ? walk(character, start, ground, own)
-      : slide(character, start, plus(ZERO, own, dt));
+      ? walk(character, start, ground, own, nearby)
+      : slide(character, start, plus(ZERO, own, dt), nearby);
   const support = bodyBehind(world, ground?.id ?? 0);
   const end = ride(character, moved.end, support);
   Velocity.x[body] = (end.x - start.x) / dt;
@@ -90,11 +93,11 @@ export function moveCharacter(
 }
 
 /** Walks along the ground, up and down steps; over an edge it falls. */
-function walk(character: Character, start: Vector2, ground: Surface, own: Vector2): Slide {
+function walk(character: Character, start: Vector2, ground: Surface, own: Vector2, nearby: Surface[]): Slide {
   const { up, right, dt, snapDistance } = character;
   const distance = dot(own, right) * dt;
   const wanted = { x: ground.normal.y * distance, y: -ground.normal.x * distance };
-  const straight = slide(character, start, wanted);
+  const straight = slide(character, start, wanted, nearby);
   const moved = climb(character, start, wanted, straight) ?? straight;
   const below = groundBelow(character, moved.end, snapDistance);
   if (below !== undefined) return { end: below.position, surfaces: moved.surfaces };

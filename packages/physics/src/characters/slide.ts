@@ -24,17 +24,23 @@ export interface Slide {
 /**
  * Moves a character by a displacement, or as near to it as it gets without entering anything. What is too near at the start
  * pushes it away. Slopes that are too steep lift it no more than walls do. One that falls on ground stops falling there.
+ * @param touched the surfaces that it touches at the start
  */
-export function slide(character: Character, start: Vector2, wanted: Vector2): Slide {
+export function slide(
+  character: Character,
+  start: Vector2,
+  wanted: Vector2,
+  touched = touchedSurfaces(character, start),
+): Slide {
   const { shape, up, right, margin } = character;
   // Out of what it overlaps it gets by its radius in a step.
   const maxChange = lengthOf(wanted.x, wanted.y) + shape.radius;
   let position = start;
   let target = plus(start, wanted);
   const met: Surface[] = [];
-  let surfaces: Surface[] = [];
+  let surfaces = touched;
   for (let i = 0; i < MAX_MEETINGS; i++) {
-    surfaces = [...touchedSurfaces(character, position), ...met];
+    if (i > 0) surfaces = [...touchedSurfaces(character, position), ...met];
     const rest = plus(target, position, -1);
     if (dot(rest, up) < 0 && surfaces.some((surface) => lands(character, surface, position, rest))) {
       target = plus(position, right, dot(rest, right));
