@@ -45,6 +45,16 @@ describe.each([2, 3] as const)('in %i dimensions', (dimensions) => {
       }
     });
 
+    test.each([1e3, 1e9, 1e13])('%f m from the origin, on a lattice as wide as the distance', (offset) => {
+      // Multiples of what is certain to be a sum without rounding.
+      const spacing = Math.max(1, offset * (precision === 'f32' ? 2 ** -20 : 2 ** -50));
+      const world = createPhysicsWorld({ dimensions, precision });
+      const at = (i: number) => offset + i * spacing;
+      for (let i = 0; i < 12; i++) for (let j = 0; j < 12; j++) spawn(world, { position: { x: at(i), y: -at(j) } });
+      const ids = IDS.slice(0, 144);
+      expect(pairsOf(world, spacing)).toEqual(everyPair(world, spacing, ids));
+    });
+
     test('among some bodies', () => {
       const world = crowd(9, 5);
       const some = IDS.filter((id) => id % 3 === 0);

@@ -1,7 +1,7 @@
 // Pairs of bodies whose centres are near each other: what forces between neighbours go through, such as those of molecules,
 // of water made of particles, and of a flock.
 //
-// Bodies are sorted into cells as wide as the distance, so that those near a body are in the 9 cells about it (27 in space).
+// Bodies are sorted into cells a little wider than the distance, so that those near a body are in the 9 cells about it (27 in space).
 // Cells are found by a hash of their coordinates, as there may be any number of them. Source: Teschner et al., Optimized
 // Spatial Hashing for Collision Detection of Deformable Objects (2003).
 import { assertUsable } from '../ecs/guards.ts';
@@ -79,7 +79,7 @@ export function pairsWithin(world: PhysicsWorld, distance: number, among?: Array
   const { ids, count } = checkIds(world, among);
   const memory = pairMemory(world);
   if (memory.buckets.ids.length < count) Object.assign(memory.buckets, bucketsFor(2 * count));
-  const size = Math.max(distance, farthest(world, ids, count) * LEAST_CELL);
+  const size = Math.max(distance * WIDER, farthest(world, ids, count) * LEAST_CELL);
   fillBuckets(world, memory.buckets, size, ids, count);
   memory.pairs.count = 0;
   findPairs(memory.buckets, memory.pairs, distance, size, world.dimensions === 3 ? 1 : 0);
@@ -106,8 +106,11 @@ function checkIds(
   return { ids: among, count: length };
 }
 
-/** Cells are no smaller than this part of the greatest coordinate, so that one can be added to their numbers. */
-const LEAST_CELL = 1e-15;
+/**
+ * Cells are wider than the distance, and no smaller than this part of the greatest coordinate: then rounding, by 1.1e-16 of up to
+ * 1e14 cells, does not put two bodies of a pair further apart than in neighbouring cells.
+ */
+const [WIDER, LEAST_CELL] = [1.03, 1e-14];
 
 /** The greatest finite coordinate, m. */
 function farthest({ components: { Position } }: PhysicsWorld, ids: ArrayLike<number>, count: number): number {
