@@ -8,7 +8,7 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber, checkVector } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { dot, type Vector2 } from './surface.ts';
+import { dot, type Vector2, ZERO } from './surface.ts';
 
 /** Options of `moveCharacter`. */
 export interface CharacterOptions {
@@ -45,7 +45,7 @@ export interface Character {
   /** How far the shape reaches down from the position, m. */
   readonly depth: number;
   /** Velocity of the ground, m/s, with which the character rides along; zero in the air. */
-  readonly frame: Vector2;
+  readonly groundVelocity: Vector2;
 }
 
 /** Casts end when surfaces are 0.1 mm apart, so that less than this cannot be kept. */
@@ -84,7 +84,7 @@ export function checkCharacter(world: PhysicsWorld, id: number, dt: number, opti
     snapDistance: checkNumber(options.snapDistance ?? stepHeight, 'snapDistance', LENGTH),
     margin: checkNumber(options.margin ?? Math.max(radius / 30, MIN_MARGIN), 'margin', { min: MIN_MARGIN, max: 1e6 }),
     depth: depthOf(shape, angle, up),
-    frame: { x: 0, y: 0 },
+    groundVelocity: ZERO,
   };
 }
 

@@ -1,7 +1,7 @@
 // The ground of a character: a surface that is not too steep, or the edge of one.
 import { rayCastAll } from '../queries/ray-cast.ts';
 import type { Character } from './character.ts';
-import { dot, plus, type Surface, type Vector2 } from './surface.ts';
+import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
 import { firstMeeting } from './surroundings.ts';
 
 /** Whether a character can stand and walk on a surface. */
@@ -25,12 +25,10 @@ function isEdgeOfGround({ world, id, up, right, minUpward, margin }: Character, 
   return hits.some(({ body, nx, ny }) => body === surface.id && dot({ x: nx, y: ny }, up) >= minUpward);
 }
 
-/** The ground among surfaces that a character touches, the most level one if there are several. */
-export function groundAt(character: Character, position: Vector2, touched: readonly Surface[]): Surface | undefined {
-  const { up } = character;
+/** The most level one of some surfaces, of equally level ones the first. */
+export function mostLevel(surfaces: readonly Surface[], up: Vector2): Surface | undefined {
   let found: Surface | undefined;
-  for (const surface of touched) {
-    if (!isGround(character, surface, position)) continue;
+  for (const surface of surfaces) {
     if (found === undefined || dot(surface.normal, up) > dot(found.normal, up)) found = surface;
   }
   return found;
@@ -44,7 +42,7 @@ export function groundBelow(
 ): { readonly position: Vector2; readonly surface: Surface } | undefined {
   const { up, margin, minUpward } = character;
   // Down to where the shape itself would meet the ground, of which the margin is given back.
-  const motion = plus({ x: 0, y: 0 }, up, -(distance + margin / minUpward));
+  const motion = plus(ZERO, up, -(distance + margin / minUpward));
   const met = firstMeeting(character, start, motion);
   if (met === undefined) return undefined;
   const position = plus(start, motion, met.fraction);

@@ -6,10 +6,10 @@ import { checkNumber, checkVector } from '../errors/validate.ts';
 import { assertPlanar } from '../queries/body-query.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { type Character, type CharacterOptions, checkCharacter } from './character.ts';
-import { groundAt, groundBelow, heightAbove, isGround } from './ground.ts';
+import { groundBelow, heightAbove, isGround, mostLevel } from './ground.ts';
 import { pushBodies } from './push-bodies.ts';
 import { type Slide, slide, stopped } from './slide.ts';
-import { dot, plus, type Surface, type Vector2 } from './surface.ts';
+import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
 import { bodyBehind, carryingVelocity, isMovable } from './surface-body.ts';
 import { firstMeeting, touchedSurfaces } from './surroundings.ts';
 
@@ -45,8 +45,6 @@ export interface CharacterMotion {
   readonly contacts: readonly CharacterContact[];
 }
 
-const ZERO: Vector2 = { x: 0, y: 0 };
-
 const SPEED_BOUNDS = { min: -MAX_SPEED, max: MAX_SPEED };
 
 /**
@@ -72,11 +70,12 @@ export function moveCharacter(
   const { Position, Velocity } = world.components;
   const start = { x: Position.x[body], y: Position.y[body] };
   const atRest = touchedSurfaces(checked, start);
-  const ground = groundAt(checked, start, atRest);
-  const frame = ground === undefined ? ZERO : carryingVelocity(world, ground);
-  const character = { ...checked, frame };
+  const isUnder = (surface: Surface) => isGround(checked, surface, start);
+  const ground = mostLevel(atRest.filter(isUnder), checked.up);
+  const groundVelocity = ground === undefined ? ZERO : carryingVelocity(world, ground);
+  const character = { ...checked, groundVelocity };
   // What comes nearer depends on how the character rides along.
-  const nearby = frame.x === 0 && frame.y === 0 ? atRest : touchedSurfaces(character, start);
+  const nearby = groundVelocity.x === 0 && groundVelocity.y === 0 ? atRest : touchedSurfaces(character, start);
   const moved =
     ground !== undefined && dot(own, character.up) <= 0
       ? walk(character, start, ground, own, nearby)
@@ -87,8 +86,9 @@ export function moveCharacter(
   Velocity.y[body] = (end.y - start.y) / dt;
   const touched = touchedSurfaces(character, moved.end);
   // Before bodies are pushed, so that the ground still has the velocity of which the character was one step ago.
-  const motion = motionAt(character, moved.end, touched, plus(own, frame));
-  pushBodies(character, [...touched, ...moved.surfaces], plus(own, frame), support);
+  const inWorld = plus(own, groundVelocity);
+  const motion = motionAt(character, moved.end, touched, inWorld);
+  pushBodies(character, [...touched, ...moved.surfaces], inWorld, support);
   return motion;
 }
 
@@ -127,9 +127,9 @@ function climb(character: Character, start: Vector2, wanted: Vector2, straight: 
 
 /** Carries the character along with the body that it stands on, as far as there is room. */
 function ride(character: Character, position: Vector2, body: number): Vector2 {
-  const { world, frame, right, dt } = character;
+  const { world, groundVelocity, right, dt } = character;
   // A body that yields is followed up and down by where it is: two that follow each other would go down together.
-  const velocity = isMovable(world, body) ? plus(ZERO, right, dot(frame, right)) : frame;
+  const velocity = isMovable(world, body) ? plus(ZERO, right, dot(groundVelocity, right)) : groundVelocity;
   const motion = plus(ZERO, velocity, dt);
   return plus(position, motion, firstMeeting(character, position, motion, body)?.fraction ?? 1);
 }
@@ -141,10 +141,11 @@ function motionAt(
   velocity: Vector2,
 ): CharacterMotion {
   const { world, up } = character;
-  const ground = groundAt(character, position, touched);
+  const [grounds, walls]: [Surface[], Surface[]] = [[], []];
+  for (const surface of touched) (isGround(character, surface, position) ? grounds : walls).push(surface);
+  const ground = mostLevel(grounds, up);
   const groundVelocity = ground === undefined ? ZERO : carryingVelocity(world, ground);
   const relative = plus(velocity, groundVelocity, -1);
-  const walls = touched.filter((surface) => !isGround(character, surface, position));
   const contacts = touched.map(contactOf);
   if (ground === undefined || dot(relative, up) > 0) {
     const stoppedVelocity = stopped(character, position, velocity, walls);

@@ -3,7 +3,7 @@ import { lengthOf } from '../collision/shapes/2d/shape.ts';
 import type { Character } from './character.ts';
 import { isGround } from './ground.ts';
 import { nearestDisplacement } from './nearest-displacement.ts';
-import { dot, plus, type Surface, type Vector2 } from './surface.ts';
+import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
 import { firstMeeting, touchedSurfaces } from './surroundings.ts';
 
 /** Surfaces that a character meets in one step at most: what it would do after the last is left out. */
@@ -45,7 +45,8 @@ export function slide(
     if (dot(rest, up) < 0 && surfaces.some((surface) => lands(character, surface, position, rest))) {
       target = plus(position, right, dot(rest, right));
     }
-    const constraints = surfaces.flatMap((surface) => [surface, ...asWall(character, surface, position)]);
+    const walls = surfaces.filter((surface) => !isGround(character, surface, position));
+    const constraints = [...surfaces, ...walls.flatMap((surface) => asWall(character, surface, position))];
     const displacement = nearestDisplacement(position, plus(target, position, -1), constraints, maxChange);
     if (lengthOf(displacement.x, displacement.y) < TINY * margin) break;
     const meeting = firstMeeting(character, position, displacement);
@@ -61,22 +62,22 @@ function lands(character: Character, surface: Surface, position: Vector2, rest: 
   return dot(surface.normal, rest) < -ROUNDING * lengthOf(rest.x, rest.y) && isGround(character, surface, position);
 }
 
-/** The vertical wall that a slope is besides, if it is too steep to walk on; it leaves the character where it is. */
+/** The vertical wall that a slope is besides where it is too steep to walk on; it leaves the character where it is. */
 function asWall(character: Character, surface: Surface, position: Vector2): Surface[] {
   const { up, right } = character;
   const sideways = dot(surface.normal, right);
-  if (dot(surface.normal, up) <= 0 || sideways === 0 || isGround(character, surface, position)) return [];
-  const normal = plus({ x: 0, y: 0 }, right, Math.sign(sideways));
+  if (dot(surface.normal, up) <= 0 || sideways === 0) return [];
+  const normal = plus(ZERO, right, Math.sign(sideways));
   return [{ ...surface, normal, offset: dot(normal, position) }];
 }
 
-/** A velocity without its parts into the surfaces that a character touches, of which steep slopes are walls, too. */
+/** A velocity without its parts into the surfaces that a character touches and that are no ground. */
 export function stopped(
   character: Character,
   position: Vector2,
   velocity: Vector2,
-  surfaces: readonly Surface[],
+  walls: readonly Surface[],
 ): Vector2 {
-  const walls = surfaces.flatMap((surface) => [...asWall(character, surface, position), surface]);
-  return walls.reduce((v, { normal }) => plus(v, normal, -Math.min(dot(v, normal), 0)), velocity);
+  const surfaces = walls.flatMap((surface) => [...asWall(character, surface, position), surface]);
+  return surfaces.reduce((v, { normal }) => plus(v, normal, -Math.min(dot(v, normal), 0)), velocity);
 }

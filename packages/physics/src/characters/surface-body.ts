@@ -2,9 +2,7 @@
 import { bodyOf } from '../bodies/parts.ts';
 import { isOpen } from '../ecs/rows.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import type { Surface, Vector2 } from './surface.ts';
-
-const AT_REST: Vector2 = { x: 0, y: 0 };
+import { type Surface, type Vector2, ZERO } from './surface.ts';
 
 /** The body to which an entity belongs that queries name; 0 for a wall. */
 export function bodyBehind(world: PhysicsWorld, id: number): number {
@@ -14,7 +12,7 @@ export function bodyBehind(world: PhysicsWorld, id: number): number {
 /** Velocity of the matter of a body, a part or a wall at a point, m/s: v + ω × (p - r). */
 export function velocityAt(world: PhysicsWorld, id: number, point: Vector2): Vector2 {
   const body = bodyBehind(world, id);
-  if (body === 0) return AT_REST;
+  if (body === 0) return ZERO;
   const { Position, Velocity, AngularVelocity } = world.components;
   const spin = canTurn(world, body) ? AngularVelocity.z[body] : 0;
   return {

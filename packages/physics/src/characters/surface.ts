@@ -24,6 +24,8 @@ export interface Surface {
   readonly offset: number;
 }
 
+export const ZERO: Vector2 = { x: 0, y: 0 };
+
 export function dot(a: Vector2, b: Vector2): number {
   return a.x * b.x + a.y * b.y;
 }

@@ -47,9 +47,9 @@ export function touchedSurfaces(character: Character, position: Vector2): Surfac
  * How far a kinematic body comes nearer during the step, m, seen from the ground that the character rides on. Bodies that
  * yield do not push it.
  */
-function approachOf({ world, frame, dt }: Character, id: number, point: Vector2, normal: Vector2): number {
+function approachOf({ world, groundVelocity, dt }: Character, id: number, point: Vector2, normal: Vector2): number {
   if (isMovable(world, bodyBehind(world, id))) return 0;
-  return Math.max(0, dot(plus(velocityAt(world, id, point), frame, -1), normal) * dt);
+  return Math.max(0, dot(plus(velocityAt(world, id, point), groundVelocity, -1), normal) * dt);
 }
 
 /** The first surface that a character meets on a path. */

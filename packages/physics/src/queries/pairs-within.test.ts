@@ -38,7 +38,7 @@ describe.each([2, 3] as const)('in %i dimensions', (dimensions) => {
       [40, 10],
       [1e-3, 0.01],
       [1, 1e5],
-    ])('within %f m, bodies spread over %f m: those that a look at every pair finds, each once', (distance, spread) => {
+    ])('within %f m, bodies spread over %f m: the same as by comparing all, each once', (distance, spread) => {
       for (let seed = 1; seed <= 5; seed++) {
         const world = crowd(seed, spread);
         expect(pairsOf(world, distance)).toEqual(everyPair(world, distance, IDS));

@@ -41,7 +41,7 @@ const PLATFORMS = [
 const LAMP = { x: -9.6, y: 5.1 };
 
 interface CharacterRun extends SceneRun {
-  /** The one that the reader moves, and those that move by themselves. */
+  /** Whom the reader moves, and the others. */
   readonly hero: number;
   readonly guide: number;
   readonly jumper: number;

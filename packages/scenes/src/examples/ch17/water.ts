@@ -1,8 +1,8 @@
 import {
+  centreOfMass,
   cos,
   createPhysicsWorld,
   energy,
-  exp,
   type PhysicsWorld,
   replaceForce,
   rgba,
@@ -15,6 +15,7 @@ import type { SceneRun } from '../../scene.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import type { Point } from '../picture.ts';
 import { held } from '../support/held.ts';
+import { cosh, sinh, tanh } from '../support/hyperbolic.ts';
 import { particleMass, type WaterOptions, water } from '../support/water.ts';
 
 type Values = ValuesOf<'depth' | 'wave' | 'gravity' | 'viscosity'>;
@@ -31,12 +32,9 @@ const LAYERS = 3;
 /** How far from the pointer water is pushed, m. */
 const HAND = 0.15;
 
-const sinh = (x: number) => (exp(x) - exp(-x)) / 2;
-const cosh = (x: number) => (exp(x) + exp(-x)) / 2;
-
 /** 2π/√(g k tanh k d): Lamb, Hydrodynamics, section 228. */
-function periodOf({ depth, gravity }: Values): number {
-  return (2 * Math.PI) / Math.sqrt((gravity * K * sinh(K * depth)) / cosh(K * depth));
+function periodOf({ depth, gravity }: Pick<Values, 'depth' | 'gravity'>): number {
+  return (2 * Math.PI) / Math.sqrt(gravity * K * tanh(K * depth));
 }
 
 interface WaterRun extends SceneRun {
@@ -61,7 +59,7 @@ function addTank(world: PhysicsWorld): void {
 /** Fills the tank. The water flows as at the moment when a standing wave is flat, which changes no density. */
 function addWater(world: PhysicsWorld, { depth, wave, gravity }: Values, mass: number): number[] {
   const drops: number[] = [];
-  const frequency = (2 * Math.PI) / periodOf({ depth, gravity } as Values);
+  const frequency = (2 * Math.PI) / periodOf({ depth, gravity });
   for (let j = 0; (j + 0.5) * SPACING < depth; j++) {
     for (let i = 0; i < Math.round(LENGTH / SPACING); i++) {
       const [x, y] = [(i + 0.5) * SPACING, (j + 0.5) * SPACING];
@@ -118,8 +116,7 @@ export default defineExample({
     const world = createPhysicsWorld({ capacity: 2000, forces, integrator });
     addTank(world);
     const drops = addWater(world, values, particleMass(options));
-    const shift = () => drops.reduce((sum, id) => sum + world.components.Position.x[id], 0) / drops.length;
-    return { world, dt: 1 / 1000, drops, values, shift };
+    return { world, dt: 1 / 1000, drops, values, shift: () => centreOfMass(world).x };
   },
   actions: {
     left: held('←', 'arrowleft', 'lean the tank to the left', lean, -1),
@@ -144,7 +141,7 @@ export default defineExample({
       6,
       'Mean height of the water, half of the depth',
       { exact: ({ depth }) => depth / 2, unit: 'm', relative: 0.03 },
-      ({ world, drops }) => drops.reduce((sum, id) => sum + world.components.Position.y[id], 0) / drops.length,
+      ({ world }) => centreOfMass(world).y,
     ),
   ],
   tryThis: [

@@ -1,6 +1,15 @@
 /** Hyperbolic functions that are the same on every engine. */
 import { exp, log } from '@principia/physics';
 
+/** Valid for |x| below 700, as `cosh`. */
+export function sinh(x: number): number {
+  return (exp(x) - exp(-x)) / 2;
+}
+
+export function cosh(x: number): number {
+  return (exp(x) + exp(-x)) / 2;
+}
+
 /** Valid for |x| below 300. */
 export function tanh(x: number): number {
   const square = exp(2 * x);
