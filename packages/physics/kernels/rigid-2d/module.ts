@@ -22,7 +22,7 @@ export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/so
 export { listContactEvents } from '../solver/2d/contact-events';
 export { stopFastBodies } from '../solver/2d/continuous';
 export { islandAt, labelIslands, updateSleep } from '../solver/2d/islands';
-export { applyRestitution } from '../solver/2d/restitution';
+export { applyRestitution } from '../impacts/2d/restitution';
 export { listJoints } from '../joints/2d/list-joints';
 export { prepareJoints } from '../joints/2d/prepare-joints';
 export { noteSettings } from '../joints/2d/wake-joints';

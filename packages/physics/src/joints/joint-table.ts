@@ -45,7 +45,7 @@ export const JOINT_BYTES_PER_ENTITY =
   HINGE_BYTES +
   HINGE_START_BYTES +
   6 * 8 +
-  13 * 4;
+  17 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -130,6 +130,10 @@ export const jointTable = resource((world): JointTable => {
     Word.roots,
     Word.marks,
     Word.bodyRows,
+    Word.treeOf,
+    Word.treeJoints,
+    Word.treeStarts,
+    Word.projected,
   ])
     take(word, 4);
   for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds]) take(word, 4);

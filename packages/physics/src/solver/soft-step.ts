@@ -156,6 +156,7 @@ function advance(
 
   kernels.gatherBodies(at);
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
+  words[Word.joints] = joints;
   words[Word.linkCount] = 0;
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
@@ -185,7 +186,7 @@ function advance(
     if (crowded) kernels.limitCrowdEnergies(at);
     if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
   }
-  // What bounces is no longer as joints want it.
+  // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
   if (kernels.applyRestitution(at) > 0 && joints !== 0) kernels.relaxLocks(joints);
   kernels.holdLocked(at);
   kernels.storeImpulses(at);

@@ -199,12 +199,25 @@ export const COMPLIANCE: f64 = 1e-4;
   const u = minus(velocityAt(from, parentArm(at)), wanted(at, start, soft));
   const change = finiteVector(minus(weigh(at, u), valueOf(at)));
   setImpulse(at, soft ? times(softness.massScale, change) : plus(impulseOf(at), change));
+  moveChild(rigid, at, u);
+}
+
+// The velocity of the child alone, of which the hinge moves by u.
+// @ts-ignore: decorator
+@inline function moveChild(rigid: RigidTable, at: JointPlace, u: v128): void {
   if (at.below == 0) return;
   const body = changetype<ArticulatedBody>(at.below);
   const w = at.turn - at.ratioX * xOf(u) - at.ratioY * yOf(u);
   body.w = w;
   setVelocityIn(body, plus(u, times(w, turnedRight(childArm(at)))));
   follow(stateOf(rigid, at.childRow), body, at.turns != 0);
+}
+
+// The same for an impact, whose impulse is no load of the hinge.
+// @ts-ignore: decorator
+@inline export function passHinge(rigid: RigidTable, at: JointPlace): void {
+  const from = changetype<ArticulatedBody>(at.above);
+  moveChild(rigid, at, minus(velocityAt(from, parentArm(at)), chordOf(at)));
 }
 
 // Brings a body to the velocity that its tree gives it, or, softly, most of the way.

@@ -93,6 +93,14 @@ export class JointTable {
   masses: usize;
   bodyRows: usize;
   bodyCount: i32;
+  // By row of a body: one more than the number of its tree, 0 for none. The joints of each tree, parents first, and where those
+  // of a tree begin among them.
+  treeOf: usize;
+  treeJoints: usize;
+  treeStarts: usize;
+  // By tree: in which round of projections it was projected last (project-trees.ts).
+  projected: usize;
+  projections: i32;
   // By row of a body: class JointedBody, the set it belongs to, its first joint in `next`, which has two entries for each
   // joint, and a mark.
   jointed: usize;

@@ -8,10 +8,12 @@ import { colorLoops, layOutLoops } from './color-loops';
 import { JointTable, impulsesOf } from './joint-table';
 import { LOOP, PARENT_B, childOf, indexAbove, orderTrees, setOf } from './joint-trees';
 import { JointPlace, PLAIN, WARM, clearRows, placeAt, signOf, workAt } from './joint-work';
+import { forgetTrees, listByTree } from './list-by-tree';
 import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, dropUnused } from './list-active';
 
 export function layOutJoints(t: JointTable, rigid: RigidTable): void {
   dropUnused(t);
+  forgetTrees(t);
   orderTrees(t);
   colorLoops(t);
   layOutLoops(t, rigid);
@@ -26,6 +28,7 @@ export function layOutJoints(t: JointTable, rigid: RigidTable): void {
   for (let r = 0; r < t.rootCount; r++) putWord(t.bodyRows, r, word(t.roots, r));
   markWarmTrees(t);
   for (let k = 0; k < t.workCount; k++) layOutJoint(t, k);
+  listByTree(t);
 }
 
 // Marks the sets of bodies whose joints must begin with what they exerted.

@@ -148,7 +148,7 @@ export function relaxLocks(table: usize): void {
 }
 
 // One function for both, because a branch on `soft` costs less than the code would weigh twice. With `factor` matrices are made.
-function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, factor: bool): void {
+export function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, factor: bool): void {
   for (let k = t.treeCount - 1; k >= 0; k--) {
     const at = placeAt(t, k);
     if (soft && at.hinge == PLAIN) measureHinge(rigid, at, startAt(t, k));
@@ -178,16 +178,18 @@ function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, facto
 }
 
 function moveRoots(t: JointTable, rigid: RigidTable, factor: bool): void {
-  for (let k = 0; k < t.rootCount; k++) {
-    const root = articulated(t, k);
-    const mass = massOf(t, k);
-    const row = word(t.roots, k);
-    const state = stateOf(rigid, row);
-    if (factor) addOwnMass(mass, root);
-    if (factor) invert(changetype<usize>(mass));
-    freeVelocity(root, mass, <f64>state.vx, <f64>state.vy, <f64>state.w);
-    follow(state, root, jointed(t, row).inverseInertia > 0);
-  }
+  for (let k = 0; k < t.rootCount; k++) moveRoot(t, rigid, k, factor);
+}
+
+export function moveRoot(t: JointTable, rigid: RigidTable, k: i32, factor: bool): void {
+  const root = articulated(t, k);
+  const mass = massOf(t, k);
+  const row = word(t.roots, k);
+  const state = stateOf(rigid, row);
+  if (factor) addOwnMass(mass, root);
+  if (factor) invert(changetype<usize>(mass));
+  freeVelocity(root, mass, <f64>state.vx, <f64>state.vy, <f64>state.w);
+  follow(state, root, jointed(t, row).inverseInertia > 0);
 }
 
 // How much a row moves with the velocity of a body.
@@ -197,7 +199,7 @@ function moveRoots(t: JointTable, rigid: RigidTable, factor: bool): void {
 }
 
 // From the ends: what the parent bears.
-function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, factor: bool): void {
+export function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, factor: bool): void {
   const at = placeAt(t, k);
   const work = workAt(t, k);
   if (factor) factorJoint(t, at, work);
@@ -234,6 +236,17 @@ function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64, factor
 
 // From the root: the impulses of a joint, and the velocity of the child.
 function exertJoint(t: JointTable, rigid: RigidTable, k: i32, soft: bool): void {
+  passJoint(t, rigid, k);
+  const work = workAt(t, k);
+  const impulses = impulsesOf(t, work.id);
+  const scale = -signOf(placeAt(t, k)) * softness.massScale;
+  impulses.lock0 = (soft ? 0 : impulses.lock0) + finite(scale * rowOf(work, 0).value);
+  impulses.lock1 = (soft ? 0 : impulses.lock1) + finite(scale * rowOf(work, 1).value);
+  impulses.lock2 = (soft ? 0 : impulses.lock2) + finite(scale * rowOf(work, 2).value);
+}
+
+// Turns the values of the rows into the impulses along them, on the parent, and gives the child its velocity.
+export function passJoint(t: JointTable, rigid: RigidTable, k: i32): void {
   const at = placeAt(t, k);
   const work = workAt(t, k);
   const r0 = rowOf(work, 0);
@@ -243,17 +256,12 @@ function exertJoint(t: JointTable, rigid: RigidTable, k: i32, soft: bool): void 
   const v0 = r0.value - motion(from, r0, parentArm(work, r0));
   const v1 = r1.value - motion(from, r1, parentArm(work, r1));
   const v2 = r2.value - motion(from, r2, parentArm(work, r2));
-  const y0 = work.i00 * v0 + work.i01 * v1 + work.i02 * v2;
-  const y1 = work.i01 * v0 + work.i11 * v1 + work.i12 * v2;
-  const y2 = work.i02 * v0 + work.i12 * v1 + work.i22 * v2;
-  const impulses = impulsesOf(t, work.id);
-  const scale = -signOf(at) * softness.massScale;
-  impulses.lock0 = (soft ? 0 : impulses.lock0) + finite(scale * y0);
-  impulses.lock1 = (soft ? 0 : impulses.lock1) + finite(scale * y1);
-  impulses.lock2 = (soft ? 0 : impulses.lock2) + finite(scale * y2);
+  r0.value = work.i00 * v0 + work.i01 * v1 + work.i02 * v2;
+  r1.value = work.i01 * v0 + work.i11 * v1 + work.i12 * v2;
+  r2.value = work.i02 * v0 + work.i12 * v1 + work.i22 * v2;
   if (at.below == 0) return;
   const body = changetype<ArticulatedBody>(at.below);
-  pull(body, massBeside(t, at.below), work, -y0, -y1, -y2);
+  pull(body, massBeside(t, at.below), work, -r0.value, -r1.value, -r2.value);
   follow(stateOf(rigid, at.childRow), body, at.turns != 0);
 }
 

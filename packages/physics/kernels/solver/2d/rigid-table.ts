@@ -19,6 +19,8 @@ export class RigidTable {
   sleepTime: f64;
   // Impacts faster than this are reported, m/s.
   hitSpeed: f64;
+  // The table of the joints of this step (joints/2d/joint-table.ts), 0 where there are none.
+  joints: usize;
   // Rows in use, from 0, and the addresses of the columns that only this solver reads.
   rows: i32;
   // Rows in use in the last step.

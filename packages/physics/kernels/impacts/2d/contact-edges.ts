@@ -1,10 +1,10 @@
 // The contact graph: each contact has two edges, one at a and one at b, and a body the list of those of all contacts that push it.
 import { get } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
-import { flagsOf, isPushed, putWord, word } from './body';
-import * as block from './contact-block';
-import { blockAt, contactOf, laneAt } from './contact-place';
-import { RigidTable } from './rigid-table';
+import { flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
+import * as block from '../../solver/2d/contact-block';
+import { blockAt, contactOf, laneAt } from '../../solver/2d/contact-place';
+import { RigidTable } from '../../solver/2d/rigid-table';
 
 // Makes the lists of all bodies, and forgets the impacts of the last time.
 export function linkContacts(t: RigidTable): void {

@@ -10,14 +10,15 @@
 import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get } from '../../memory/columns';
 import { LANES, splat } from '../../memory/lanes';
-import { putWord, word } from './body';
-import * as block from './contact-block';
+import { putWord, word } from '../../solver/2d/body';
+import * as block from '../../solver/2d/contact-block';
 import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
-import { contactOf, isFast, laneAt, pointAt } from './contact-place';
+import { contactOf, isFast, laneAt, pointAt } from '../../solver/2d/contact-place';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
-import { RigidTable } from './rigid-table';
+import { memberOf, othersIn, projectImpact, projectImpacts, startTrees } from './impact-trees';
+import { RigidTable } from '../../solver/2d/rigid-table';
 
 // An impact runs on where it strikes by more than this part of the threshold.
 const LEAST_PART: real = 0.1;
@@ -33,6 +34,7 @@ export function applyRestitution(table: usize): i32 {
   const count = t.impactCount;
   if (count == 0) return 0;
   for (let i = 0; i < count; i++) takeBack(t, impactAt(t, i));
+  projectImpacts(t);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
   bounceInRounds(t);
@@ -48,7 +50,10 @@ function findImpacts(t: RigidTable): void {
     const at = block.blockOf(t, i);
     const hit = v128.or(impactLanes(t, at + block.POINTS), impactLanes(t, at + block.POINTS + block.POINT));
     if (!v128.any_true(hit)) continue;
-    if (!linked) linkContacts(t);
+    if (!linked) {
+      linkContacts(t);
+      startTrees(t);
+    }
     linked = true;
     for (let l = 0; l < LANES; l++) if (isHit(t, i * LANES + l)) findImpact(t, i * LANES + l);
   }
@@ -78,8 +83,8 @@ function findImpact(t: RigidTable, place: i32): void {
   for (let i = first; i < t.impactCount; i++) {
     const impact = impactAt(t, i);
     if (impact.restitution != 0) bounces = true;
-    searchBody(t, impact.rowA);
-    searchBody(t, impact.rowB);
+    searchGroup(t, impact.rowA, impact.treeA, impact.groupA);
+    searchGroup(t, impact.rowB, impact.treeB, impact.groupB);
   }
   if (bounces) return;
   for (let i = first; i < t.impactCount; i++) putWord(t.impactOf, impactAt(t, i).place, -1);
@@ -90,8 +95,14 @@ function search(t: RigidTable, place: i32): void {
   if (word(t.impactOf, place) == 0) addImpact(t, place);
 }
 
+// Searches the contacts of a body and of all that bounces with it.
+function searchGroup(t: RigidTable, row: i32, tree: i32, group: i32): void {
+  if (!visit(t, group, SEARCH)) return;
+  for (let i = othersIn(t, tree); i >= 0; i--) searchBody(t, memberOf(t, row, tree, i));
+}
+
 function searchBody(t: RigidTable, row: i32): void {
-  if (!visit(t, row, SEARCH)) return;
+  if (row == 0) return;
   for (let edge = firstEdge(t, row); edge >= 0; edge = nextEdge(t, edge)) {
     if (isHit(t, edge >> 1) || isStruck(t, edge >> 1)) search(t, edge >> 1);
   }
@@ -158,5 +169,6 @@ function slowToImpact(t: RigidTable, impact: Impact, fast: bool): void {
     if (!(excess > 0)) continue;
     point.taken -= excess * point.mass;
     applyNormalImpulse(impact, point, excess * point.mass);
+    projectImpact(t, impact);
   }
 }

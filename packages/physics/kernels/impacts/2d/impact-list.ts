@@ -1,24 +1,32 @@
 // The list of impacts, filled from the blocks of contacts and emptied into them.
 import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get, put } from '../../memory/columns';
-import { flagsOf, isPushed, putWord, word } from './body';
-import * as block from './contact-block';
-import { blockAt, contactOf, laneAt, pointAt } from './contact-place';
+import { flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
+import * as block from '../../solver/2d/contact-block';
+import { blockAt, contactOf, laneAt, pointAt } from '../../solver/2d/contact-place';
 import { Impact, impactAt, pointOf } from './impact';
-import { RigidTable } from './rigid-table';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { memberOf, treeOf, weighTrees } from './impact-trees';
+
+// In t.impactOf: joints keep the points of the contact from moving apart.
+const HELD: i32 = -2;
 
 // From step to step the impulses of a contact that an impact reached grow at most to this many times what they were, and by a speed,
 // m/s, times the effective mass.
 const GROWTH: real = 2;
 const LEAST_GROWTH: real = 0.01;
 
-// Adds the impact at a contact to the list. Returns its index, or -1 if the list is full.
+// Adds the impact at a contact to the list. Returns its index, or -1 if the list is full, or joints hold both bodies together.
 export function addImpact(t: RigidTable, place: i32): i32 {
   const i = t.impactCount;
-  if (i == t.impactCapacity) return -1;
-  t.impactCount = i + 1;
-  putWord(t.impactOf, place, i + 1);
+  if (i == t.impactCapacity || word(t.impactOf, place) == HELD) return -1;
   readImpact(t, impactAt(t, i), place);
+  if (!weighTrees(t, impactAt(t, i))) {
+    putWord(t.impactOf, place, HELD);
+    return -1;
+  }
+  putWord(t.impactOf, place, i + 1);
+  t.impactCount = i + 1;
   return i;
 }
 
@@ -31,6 +39,10 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
   impact.stateB = <usize>word(at + block.B, l);
   impact.rowA = isPushed(flagsOf(t, contact.bodyA)) ? contact.bodyA : 0;
   impact.rowB = isPushed(flagsOf(t, contact.bodyB)) ? contact.bodyB : 0;
+  impact.treeA = treeOf(t, impact.rowA);
+  impact.treeB = treeOf(t, impact.rowB);
+  impact.groupA = memberOf(t, impact.rowA, impact.treeA, 0);
+  impact.groupB = memberOf(t, impact.rowB, impact.treeB, 0);
   impact.place = place;
   impact.listed = 0;
   impact.count = contact.count;

@@ -4,9 +4,9 @@
 // the threshold of restitution is stopped at last.
 // Source: Smith et al., Reflections on Simultaneous Impact (SIGGRAPH 2012), section 4.
 import { get, put } from '../../memory/columns';
-import { putWord, word } from './body';
+import { putWord, word } from '../../solver/2d/body';
 import { firstEdge, nextEdge, visit } from './contact-edges';
-import { isTouching } from './contact-place';
+import { isTouching } from '../../solver/2d/contact-place';
 import {
   Impact,
   applyTangentImpulse,
@@ -17,7 +17,8 @@ import {
   normalSpeedAt,
 } from './impact';
 import { addImpact } from './impact-list';
-import { RigidTable } from './rigid-table';
+import { memberOf, othersIn, projectImpact, projectImpacts, projectStruck } from './impact-trees';
+import { RigidTable } from '../../solver/2d/rigid-table';
 import { stop } from './stop-impact';
 
 // Contacts that approach faster than this part of the fastest of the same bodies are thrown back with it.
@@ -47,14 +48,16 @@ export function bounceInRounds(t: RigidTable): void {
     chooseStruck(t);
     solveStruck(t, MAX_PASSES, SOLVED * slowest);
     for (let i = 0; i < t.struckCount; i++) throwBack(impactAt(t, word(t.struck, i)));
+    projectStruck(t);
     for (let i = 0; i < t.struckCount; i++) {
       const impact = impactAt(t, word(t.struck, i));
-      reachBody(t, impact.rowA, slowest, round);
-      reachBody(t, impact.rowB, slowest, round);
+      reachGroup(t, impact.rowA, impact.treeA, impact.groupA, round, slowest);
+      reachGroup(t, impact.rowB, impact.treeB, impact.groupB, round, slowest);
     }
   }
   for (let pass = 0; pass < FRICTION_PASSES; pass++) {
     for (let i = 0; i < t.impactCount; i++) applyFriction(impactAt(t, i));
+    projectImpacts(t);
   }
   stopTheRest(t, slowest);
 }
@@ -71,8 +74,8 @@ function findFastest(t: RigidTable, slowest: real): void {
   for (let i = 0; i < t.approachingCount; i++) {
     const index = word(t.approaching, i);
     const impact = impactAt(t, index);
-    put(t.fastest, impact.rowA, 0);
-    put(t.fastest, impact.rowB, 0);
+    put(t.fastest, impact.groupA, 0);
+    put(t.fastest, impact.groupB, 0);
     impact.approach = approachOf(impact);
     if (impact.approach > slowest) putWord(t.approaching, count++, index);
     else impact.listed = 0;
@@ -80,8 +83,8 @@ function findFastest(t: RigidTable, slowest: real): void {
   t.approachingCount = count;
   for (let i = 0; i < count; i++) {
     const impact = impactAt(t, word(t.approaching, i));
-    if (impact.approach > get(t.fastest, impact.rowA)) put(t.fastest, impact.rowA, impact.approach);
-    if (impact.approach > get(t.fastest, impact.rowB)) put(t.fastest, impact.rowB, impact.approach);
+    if (impact.approach > get(t.fastest, impact.groupA)) put(t.fastest, impact.groupA, impact.approach);
+    if (impact.approach > get(t.fastest, impact.groupB)) put(t.fastest, impact.groupB, impact.approach);
   }
   // What contacts do not push has no fastest approach.
   put(t.fastest, 0, 0);
@@ -103,7 +106,7 @@ function chooseStruck(t: RigidTable): void {
   for (let i = 0; i < t.approachingCount; i++) {
     const index = word(t.approaching, i);
     const impact = impactAt(t, index);
-    const fastest = max<real>(get(t.fastest, impact.rowA), get(t.fastest, impact.rowB));
+    const fastest = max<real>(get(t.fastest, impact.groupA), get(t.fastest, impact.groupB));
     if (impact.approach >= AS_FAST * fastest) strike(t, index);
   }
 }
@@ -121,13 +124,14 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
     let change: real = 0;
     for (let i = 0; i < t.struckCount; i++) {
       const impact = impactAt(t, word(t.struck, i));
-      const pushed = max<i32>(word(t.pushes, impact.rowA), word(t.pushes, impact.rowB));
+      const pushed = max<i32>(word(t.pushes, impact.groupA), word(t.pushes, impact.groupB));
       if (t.pass > first && pushed < t.pass - 1) continue;
       const changed = stop(impact);
+      if (changed > 0) projectImpact(t, impact);
       if (changed <= solved) continue;
       change = max<real>(change, changed);
-      putWord(t.pushes, impact.rowA, t.pass);
-      putWord(t.pushes, impact.rowB, t.pass);
+      putWord(t.pushes, impact.groupA, t.pass);
+      putWord(t.pushes, impact.groupB, t.pass);
     }
     putWord(t.pushes, 0, 0);
     if (change <= solved) break;
@@ -145,9 +149,14 @@ function throwBack(impact: Impact): void {
   impact.restitution = min<real>(1, impact.restitution);
 }
 
-// Lists the contacts of a body that close faster than `slowest`.
-function reachBody(t: RigidTable, row: i32, slowest: real, round: i32): void {
-  if (!visit(t, row, round)) return;
+// Lists the contacts of a body, and of all that bounces with it, that close faster than `slowest`.
+function reachGroup(t: RigidTable, row: i32, tree: i32, group: i32, round: i32, slowest: real): void {
+  if (!visit(t, group, round)) return;
+  for (let i = othersIn(t, tree); i >= 0; i--) reachBody(t, memberOf(t, row, tree, i), slowest);
+}
+
+function reachBody(t: RigidTable, row: i32, slowest: real): void {
+  if (row == 0) return;
   for (let edge = firstEdge(t, row); edge >= 0; edge = nextEdge(t, edge)) {
     const place = edge >> 1;
     const known = word(t.impactOf, place) - 1;

@@ -1,7 +1,7 @@
 // Stops the approach of one contact: impulses x >= 0 in all, so that w = K x + b >= 0 and x w = 0, where b are the speeds without
 // them. Both points of a contact at once: one after the other would be unequal although they are alike, and a box that
 // falls flat would bounce askew. Source: Catto, Iterative Dynamics with Temporal Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
-import * as block from './contact-block';
+import * as block from '../../solver/2d/contact-block';
 import { Impact, ImpactPoint, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.

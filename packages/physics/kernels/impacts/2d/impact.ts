@@ -1,6 +1,6 @@
 // A contact that an impact reached, apart from the blocks: what the rounds of impacts need of it, in one place.
-import { BodyState } from './body';
-import { RigidTable } from './rigid-table';
+import { BodyState } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
 
 @unmanaged
 export class Impact {
@@ -9,6 +9,11 @@ export class Impact {
   stateB: usize;
   rowA: i32;
   rowB: i32;
+  // The trees of joints with which both bodies bounce, -1 for none, and the row of the first body of each, or that of the body.
+  treeA: i32;
+  treeB: i32;
+  groupA: i32;
+  groupB: i32;
   // The contact (contact-place.ts), whether it is in the list of those that approach, and its points.
   place: i32;
   listed: i32;

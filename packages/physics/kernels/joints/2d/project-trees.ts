@@ -1,0 +1,50 @@
+// What an impact at a body does to all that joints hold to it: the velocities of its tree are projected to the nearest ones, in
+// energy, that its joints allow (solve-locks.ts). An impact is no load of a joint: what it exerts is not kept.
+import { putWord, word } from '../../solver/2d/body';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { softness } from '../../solver/2d/softness';
+import { gatherHinge, passHinge } from './hinge-locks';
+import { JointTable } from './joint-table';
+import { placeAt, startAt } from './joint-work';
+import { jointsOfTree } from './list-by-tree';
+import { gatherJoint, moveRoot, passJoint, solveAll } from './solve-locks';
+import { clearMasses } from './start-joints';
+
+// Projects all trees, after the last sub-step. Where limits were among its locks, matrices are made again without them.
+export function startProjections(t: JointTable, rigid: RigidTable): void {
+  const factor = t.otherCount > 0;
+  if (factor) clearMasses(t, rigid);
+  softness.massScale = 1;
+  softness.impulseScale = 0;
+  solveAll(t, rigid, 0, false, factor);
+}
+
+// Projects one tree, with the matrices that there are.
+export function projectTree(t: JointTable, rigid: RigidTable, tree: i32): void {
+  const first = word(t.treeStarts, tree);
+  const count = jointsOfTree(t, tree);
+  for (let i = count - 1; i >= 0; i--) {
+    const k = word(t.treeJoints, first + i);
+    const at = placeAt(t, k);
+    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), false, false);
+    else gatherJoint(t, rigid, k, 0, false);
+  }
+  moveRoot(t, rigid, tree, false);
+  for (let i = 0; i < count; i++) {
+    const k = word(t.treeJoints, first + i);
+    const at = placeAt(t, k);
+    if (at.hinge != 0) passHinge(rigid, at);
+    else passJoint(t, rigid, k);
+  }
+}
+
+// Begins a round of projections, in which `projectTreeOnce` projects each tree at most once.
+export function startRound(t: JointTable): void {
+  t.projections++;
+}
+
+export function projectTreeOnce(t: JointTable, rigid: RigidTable, tree: i32): void {
+  if (word(t.projected, tree) == t.projections) return;
+  putWord(t.projected, tree, t.projections);
+  projectTree(t, rigid, tree);
+}
