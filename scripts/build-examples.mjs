@@ -21,9 +21,6 @@ const modulesFile = `${root}/games/laboratory/example-modules.gen.ts`;
 const physicsFile = `${root}/games/laboratory/all-physics.gen.ts`;
 const keptPictures = `${cacheFolder}/example-pictures.json`;
 
-/** What examples share with the scenes. */
-const SCENE_MODULES = ['black-hole-layout.ts', 'black-hole.ts', 'edges.ts', 'teleport.ts'];
-
 /** @typedef {import('../packages/scenes/src/examples/define-example.ts').Example} Example */
 
 /** Paths of the examples from their folder, such as `ch05/floating-ball.ts`, in the order of chapters and names. */
@@ -163,7 +160,7 @@ function modulesText() {
     .filter((file) => /^(support\/)?[\w-]+\.ts$/.test(file) && !/^(index|list|thumbnail)\.ts$/.test(file))
     .sort();
   const folder = '../../packages/scenes/src/examples';
-  const files = [...shared, ...SCENE_MODULES.map((file) => `../${file}`)];
+  const files = [...shared, ...sceneModules().map((file) => `../${file}`)];
   const entries = files.map((file) => `  '../${file}': () => import('${folder}/${file}'),\n`);
   return `/** Modules that the source of an example may import, by the path in the source. */
 export const MODULES: Readonly<Record<string, () => Promise<unknown>>> = {
@@ -171,6 +168,13 @@ export const MODULES: Readonly<Record<string, () => Promise<unknown>>> = {
   bitecs: () => import('bitecs'),
 ${entries.join('')}};
 `;
+}
+
+/** The modules of the scenes that examples import, but for types. */
+function sceneModules() {
+  const sources = exampleFiles().map((file) => readFileSync(`${examplesFolder}/${file}`, 'utf8'));
+  const imports = /^import (?!type\b)[^;]*? from '\.\.\/\.\.\/([\w-]+\.ts)';/gm;
+  return [...new Set(sources.flatMap((source) => [...source.matchAll(imports)].map((match) => match[1])))].sort();
 }
 
 /**

@@ -6,11 +6,13 @@ import { cloth } from './cloth.ts';
 import { emitters } from './emitters.ts';
 import { fireworks } from './fireworks.ts';
 import { gas } from './gas.ts';
+import { molecules } from './molecules.ts';
 import { nbodyDirect, nbodyTree } from './n-body/cluster.ts';
 import { galaxy } from './n-body/galaxy.ts';
 import { plasma } from './n-body/plasma.ts';
 import { particles } from './particles.ts';
 import { chains } from './rigid/chains.ts';
+import { crowd } from './rigid/crowd.ts';
 import { discs } from './rigid/discs.ts';
 import { elasticDiscs } from './rigid/elastic-discs.ts';
 import { jointGrid } from './rigid/joint-grid.ts';
@@ -39,6 +41,7 @@ export const SCENES: readonly Scene[] = [
   nbodyTree,
   galaxy,
   plasma,
+  molecules,
   pyramid,
   manyPyramids,
   discs,
@@ -49,6 +52,7 @@ export const SCENES: readonly Scene[] = [
   tumbler,
   spinner,
   washer,
+  crowd,
   bouncingBalls,
   blackHole,
   fireworks,

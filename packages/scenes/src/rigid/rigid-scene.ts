@@ -3,6 +3,7 @@
 import {
   createPhysicsWorld,
   type PhysicsWorld,
+  type PhysicsWorldOptions,
   type Precision,
   rigidBodies,
   softStep,
@@ -21,7 +22,7 @@ export const MATERIAL = { density: 1, friction: 0.6 };
 export const GAP = 0.01;
 
 /** Standard gravity, m/s². */
-const GRAVITY = 9.80665;
+export const GRAVITY = 9.80665;
 
 /** A parameter of all rigid scenes: other engines are compared while nothing sleeps. */
 export const sleeping = { about: '1 lets bodies sleep', unit: '', initial: 1, min: 0, max: 1, integer: true };
@@ -32,11 +33,15 @@ export interface WorldSetup {
   readonly parameters: { readonly sleeping: number };
 }
 
-/** @param gravity downward acceleration, m/s² */
+/**
+ * @param gravity downward acceleration, m/s²
+ * @param more further options of the world
+ */
 export function rigidWorld(
   { precision, seed, parameters }: WorldSetup,
   capacity: number,
   gravity = GRAVITY,
+  more: PhysicsWorldOptions = {},
 ): PhysicsWorld {
   const integrator = parameters.sleeping === 1 ? {} : { integrator: softStep({ sleepTime: 0 }) };
   return createPhysicsWorld({
@@ -46,6 +51,7 @@ export function rigidWorld(
     seed,
     capacity,
     forces: gravity === 0 ? [] : [uniformGravity({ y: -gravity })],
+    ...more,
   });
 }
 

@@ -12,11 +12,11 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
+import { addWalker, GAP, moveWalkers, WALKER, Walker } from '../../walkers.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { held } from '../support/held.ts';
 import { positionOf } from '../support/read.ts';
-import { addWalker, GAP, moveWalkers, WALKER, Walker } from '../support/walkers.ts';
 
 type Values = ValuesOf<'speed' | 'jump' | 'highestStep' | 'slope' | 'gravity'>;
 

@@ -8,9 +8,9 @@ import {
   spawn,
   velocityVerlet,
 } from '@principia/physics';
+import { betweenAtoms, distancesOf } from '../../atoms.ts';
 import type { SceneRun } from '../../scene.ts';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
-import { betweenAtoms, distancesOf } from '../support/atoms.ts';
 import { lengthOf } from '../support/read.ts';
 import { boxOf, linesOf } from '../support/walls.ts';
 

@@ -25,19 +25,24 @@ export function betweenAtoms(): Force {
     readsOfOthers: [],
     local: false,
     accumulate(world) {
-      const { x, y } = world.components.Position;
+      const { x, y, z } = world.components.Position;
       const { force } = world.scratch;
+      const isSpace = world.dimensions === 3;
       const { count, a, b } = pairsWithin(world, CUTOFF);
       for (let i = 0; i < count; i++) {
         const dx = x[b[i]] - x[a[i]];
         const dy = y[b[i]] - y[a[i]];
-        const square = dx * dx + dy * dy;
+        const dz = isSpace ? z[b[i]] - z[a[i]] : 0;
+        const square = dx * dx + dy * dy + dz * dz;
         const inverse = 1 / (square * square * square);
         const push = (24 * inverse * (2 * inverse - 1)) / square;
         force.x[a[i]] -= push * dx;
         force.y[a[i]] -= push * dy;
         force.x[b[i]] += push * dx;
         force.y[b[i]] += push * dy;
+        if (!isSpace) continue;
+        force.z[a[i]] -= push * dz;
+        force.z[b[i]] += push * dz;
       }
     },
     potential: (world) => distancesOf(world).reduce((sum, r) => sum + energyAt(r * r) - SHIFT, 0),
@@ -46,11 +51,12 @@ export function betweenAtoms(): Force {
 
 /** The distances of all pairs up to the cutoff, or another distance. */
 export function distancesOf(world: PhysicsWorld, limit = CUTOFF): number[] {
-  const { x, y } = world.components.Position;
+  const { x, y, z } = world.components.Position;
   const { count, a, b } = pairsWithin(world, limit);
   return Array.from({ length: count }, (_, i) => {
     const dx = x[b[i]] - x[a[i]];
     const dy = y[b[i]] - y[a[i]];
-    return Math.sqrt(dx * dx + dy * dy);
+    const dz = world.dimensions === 3 ? z[b[i]] - z[a[i]] : 0;
+    return Math.sqrt(dx * dx + dy * dy + dz * dz);
   });
 }
