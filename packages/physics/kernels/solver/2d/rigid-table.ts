@@ -148,8 +148,9 @@ export class RigidTable {
   // The contact graph (contact-edges.ts): by row, one more than the first edge; by edge, one more than the next of the same body.
   firstEdges: usize;
   nextEdges: usize;
-  // Impacts (restitution.ts): class Impact; by place of a contact, one more than the index of its impact, 0 for none, -1 where the
-  // search came to it and nothing bounces; indices of those that approach, and of those that are struck in a round.
+  // Impacts (impacts/2d): class Impact; by place of a contact, one more than the index of its impact, 0 for none, -1 where the
+  // search came to it and nothing bounces, -2 where joints hold its points; indices of those that approach, and of those that are
+  // struck in a round.
   impacts: usize;
   impactCapacity: i32;
   impactCount: i32;
