@@ -47,7 +47,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "b6af35e9e61973a7",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "63316fa25448c29c",
+      "spinner": "0ce9cfad3e5c71ae",
       "springs": "2f827429c1ac197b",
       "tumbler": "2302bbba3994d4fe",
       "washer": "c025ebe2ad1e3ce6",

@@ -70,12 +70,14 @@ export function projectStruck(t: RigidTable): void {
 // false if joints keep its points where they are.
 export function weighTrees(t: RigidTable, impact: Impact): bool {
   if (impact.treeA < 0 && impact.treeB < 0) return true;
+  projectImpact(t, impact);
   const p = pointOf(impact, 0);
   if (impact.count < 2) return setMass(p, tryImpulse(t, impact, p, p));
   const q = pointOf(impact, 1);
   const pp = tryImpulse(t, impact, p, p);
   const qq = tryImpulse(t, impact, q, q);
-  impact.coupling = tryImpulse(t, impact, p, q);
+  const most = sqrt<real>(pp * qq);
+  impact.coupling = max<real>(-most, min<real>(most, tryImpulse(t, impact, p, q)));
   const moves = setMass(p, pp);
   return setMass(q, qq) && moves;
 }
@@ -87,13 +89,16 @@ function setMass(point: ImpactPoint, response: real): bool {
   return moves;
 }
 
-// The speed that an impulse of 1 N s at a point gives another, 1/kg. It is read on the way back: joints are a little softer than
-// rigid, and what a projection before had left to do would count on the way there.
+// The speed that an impulse of 1 N s at a point gives another, 1/kg: the larger of those there and back, which differ where light
+// bodies are joined to heavy ones, because joints are a little softer than rigid.
 function tryImpulse(t: RigidTable, impact: Impact, at: ImpactPoint, seen: ImpactPoint): real {
+  const before = normalSpeedAt(impact, seen);
   applyNormalImpulse(impact, at, at.mass);
   projectImpact(t, impact);
   const pushed = normalSpeedAt(impact, seen);
   applyNormalImpulse(impact, at, -at.mass);
   projectImpact(t, impact);
-  return (pushed - normalSpeedAt(impact, seen)) / at.mass;
+  const there = pushed - before;
+  const back = pushed - normalSpeedAt(impact, seen);
+  return (abs<real>(there) > abs<real>(back) ? there : back) / at.mass;
 }

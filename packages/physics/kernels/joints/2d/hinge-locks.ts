@@ -47,10 +47,7 @@ import {
 } from './hinge-vectors';
 import { HingeStart, JointPlace } from './joint-work';
 import { finite, finiteVector } from './joint-rows';
-
-// A joint to what joints do not move is softer than rigid by this part, so that what is held from two sides has a solution. A
-// straight bridge of a hundred planks needs it: with less, blows of its load make it swing ever more.
-export const COMPLIANCE: f64 = 1e-4;
+import { COMPLIANCE } from './soft-impulse';
 
 // The velocity that the anchor of the child is to have from that of the parent.
 // @ts-ignore: decorator

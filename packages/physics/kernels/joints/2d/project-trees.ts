@@ -10,12 +10,14 @@ import { jointsOfTree } from './list-by-tree';
 import { gatherJoint, moveRoot, passJoint, solveAll } from './solve-locks';
 import { clearMasses } from './start-joints';
 
-// Projects all trees, after the last sub-step. Where limits were among its locks, matrices are made again without them.
+// Projects all trees, after the last sub-step. Matrices are made again, for joints that are rigid and without the limits that have
+// let go: between a light body and a heavy one the least softness leaves much for later projections, and impacts would diverge.
 export function startProjections(t: JointTable, rigid: RigidTable): void {
   const factor = t.otherCount > 0;
   if (factor) clearMasses(t, rigid);
   softness.massScale = 1;
   softness.impulseScale = 0;
+  softness.compliance = 0;
   solveAll(t, rigid, 0, false, factor);
 }
 

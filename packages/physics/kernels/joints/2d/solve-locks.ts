@@ -26,11 +26,11 @@ import {
 } from './articulated-body';
 import { jointed } from './brace-joints';
 import { engageLimit, predictLimits, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
-import { COMPLIANCE, exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
+import { exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { JointTable, impulsesOf } from './joint-table';
 import { JointPlace, JointRow, JointWork, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
 import { applyLocks, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
-import { softenJoint } from './soft-impulse';
+import { COMPLIANCE, softenJoint } from './soft-impulse';
 import { relaxLoops, solveLoops } from './solve-loops';
 import { applyImpulses, clearMasses } from './start-joints';
 import { watchJoint } from './watch-joints';
@@ -49,7 +49,7 @@ import { watchJoint } from './watch-joints';
 // The rows of a joint with fewer locked directions are zero, so three are solved of every joint: without loops, that is
 // faster than two or one.
 function factorJoint(t: JointTable, at: JointPlace, work: JointWork): void {
-  const share = work.parent == 0 ? 1 : COMPLIANCE;
+  const share = work.parent == 0 ? 1 : at.below == 0 ? COMPLIANCE : softness.compliance;
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);

@@ -9,10 +9,12 @@ class Softness {
   biasRate: f64;
   massScale: f64;
   impulseScale: f64;
+  // How much softer than rigid a joint between two bodies that move is, as a part of their own inverse effective mass.
+  compliance: f64;
 }
 
 // What `soften` computed last.
-export const softness = changetype<Softness>(memory.data(24, 8));
+export const softness = changetype<Softness>(memory.data(32, 8));
 
 // A spring that a user sees swing, with no more damping than it has, as long as it is slow for the sub-steps: below hω = 1/2, a
 // twelfth of their rate in Hz. With the part D of its speed that it keeps in one:
