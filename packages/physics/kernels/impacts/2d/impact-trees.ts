@@ -89,8 +89,9 @@ function setMass(point: ImpactPoint, response: real): bool {
   return moves;
 }
 
-// The speed that an impulse of 1 N s at a point gives another, 1/kg: the larger of those there and back, which differ where light
-// bodies are joined to heavy ones, because joints are a little softer than rigid.
+// The speed that an impulse of 1 N s at a point gives another, 1/kg: the larger of those there and back. They differ where a joint to
+// what does not move, which is a little softer than rigid, leaves something for the next projection; too small a mass only takes more
+// passes, too large a one would diverge.
 function tryImpulse(t: RigidTable, impact: Impact, at: ImpactPoint, seen: ImpactPoint): real {
   const before = normalSpeedAt(impact, seen);
   applyNormalImpulse(impact, at, at.mass);
