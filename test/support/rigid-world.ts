@@ -1,9 +1,11 @@
 // A world of rigid bodies as most of their tests use it.
 import {
+  circle,
   createPhysicsWorld,
   type PhysicsWorld,
   type PhysicsWorldOptions,
   rigidBodies,
+  spawn,
   step,
   uniformGravity,
 } from '@principia/physics';
@@ -22,4 +24,23 @@ export function rigidWorld(options: PhysicsWorldOptions = {}): PhysicsWorld {
 
 export function run(world: PhysicsWorld, seconds: number): void {
   for (let i = 0; i < Math.round(seconds / DT); i++) step(world, DT);
+}
+
+/** Options of `disc`. */
+export interface Disc {
+  readonly x?: number;
+  readonly y?: number;
+  readonly vx?: number;
+  readonly vy?: number;
+  readonly mass?: number;
+  readonly radius?: number;
+  readonly restitution?: number;
+  readonly friction?: number;
+}
+
+/** A disc of 1 kg and 0.5 m, with a restitution of 1 and without friction, unless the options say otherwise. */
+export function disc(world: PhysicsWorld, options: Disc): number {
+  const { x = 0, y = 0, vx = 0, vy = 0, mass = 1, radius = 0.5, restitution = 1, friction = 0 } = options;
+  const collider = { shape: circle(radius), restitution, friction };
+  return spawn(world, { position: { x, y }, velocity: { x: vx, y: vy }, mass, collider });
 }

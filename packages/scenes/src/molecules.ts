@@ -28,8 +28,8 @@ export const molecules = defineScene({
     speed: { about: 'largest speed along an axis at the start', unit: '', initial: 1, min: 0, max: 5 },
   },
   build({ dimensions, precision, seed, progress, parameters: { count, speed } }) {
-    const [cell, height] = dimensions === 2 ? [PLANE, Math.sqrt(3)] : [SPACE, Math.SQRT2];
-    const width = dimensions === 2 ? 1 : Math.SQRT2;
+    const cell = dimensions === 2 ? PLANE : SPACE;
+    const sides = dimensions === 2 ? [1, Math.sqrt(3)] : [Math.SQRT2, Math.SQRT2, Math.SQRT2];
     const across = Math.ceil(pow(count / cell.length, 1 / dimensions));
     const world = createPhysicsWorld({
       dimensions,
@@ -42,18 +42,18 @@ export const molecules = defineScene({
     const strides = [1, across, across * across];
     const uniform = seededUniforms(seed, count);
     const velocity = () => uniform(-speed, speed);
-    const axis = (which: 0 | 1 | 2, side: number) =>
+    const axis = (which: 0 | 1 | 2) =>
       Float64Array.from({ length: count }, (_, i) => {
         const place = Math.floor(i / cell.length);
         const cells = Math.floor(place / strides[which]) % across;
-        return SPACING * (side * cells + cell[i % cell.length][which]);
+        return SPACING * (sides[which] * cells + cell[i % cell.length][which]);
       });
     const isSpace = dimensions === 3;
     spawnMany(
       world,
       count,
       {
-        position: { x: axis(0, width), y: axis(1, height), ...(isSpace ? { z: axis(2, height) } : {}) },
+        position: { x: axis(0), y: axis(1), ...(isSpace ? { z: axis(2) } : {}) },
         velocity: { x: velocity(), y: velocity(), ...(isSpace ? { z: velocity() } : {}) },
         mass: 1,
       },

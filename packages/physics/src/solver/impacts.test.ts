@@ -14,27 +14,10 @@ import {
   uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { DT, G, rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
+import { DT, disc, G, rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
 
 /** Impulses with which a contact that was struck begins the next step, as a speed, m/s. */
 const LEFT_OVER = 0.01;
-
-interface Disc {
-  readonly x?: number;
-  readonly y?: number;
-  readonly vx?: number;
-  readonly vy?: number;
-  readonly mass?: number;
-  readonly radius?: number;
-  readonly restitution?: number;
-  readonly friction?: number;
-}
-
-function disc(world: PhysicsWorld, options: Disc): number {
-  const { x = 0, y = 0, vx = 0, vy = 0, mass = 1, radius = 0.5, restitution = 1, friction = 0 } = options;
-  const collider = { shape: circle(radius), restitution, friction };
-  return spawn(world, { position: { x, y }, velocity: { x: vx, y: vy }, mass, collider });
-}
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   const weightless = (options: PhysicsWorldOptions = {}) => rigidWorld({ precision, forces: [], ...options });

@@ -14,23 +14,7 @@ import {
   weld,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
-
-interface Disc {
-  readonly x?: number;
-  readonly y?: number;
-  readonly vx?: number;
-  readonly vy?: number;
-  readonly mass?: number;
-}
-
-const RADIUS = 0.5;
-
-/** A disc with a restitution of 1 and without friction. */
-function disc(world: PhysicsWorld, { x = 0, y = 0, vx = 0, vy = 0, mass = 1 }: Disc): number {
-  const collider = { shape: circle(RADIUS), restitution: 1, friction: 0 };
-  return spawn(world, { position: { x, y }, velocity: { x: vx, y: vy }, mass, collider });
-}
+import { DT, disc, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 function floor(world: PhysicsWorld): void {
   spawn(world, { position: { y: -1 }, collider: { shape: box(100, 2), restitution: 1, friction: 0 } });
@@ -68,7 +52,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     const hitting = disc(world, { x: -3, vx: 5 });
     run(world, 0.6);
     // Mass 2, and moment of inertia 2 (r²/2 + l²) about the middle, l = r = 0.5 m from the line of the impact.
-    const inertia = 2 * (RADIUS ** 2 / 2 + 0.25);
+    const inertia = 2 * (0.5 ** 2 / 2 + 0.5 ** 2);
     const impulse = (2 * 5) / (1 + 1 / 2 + 0.25 / inertia);
     const { x } = world.components.Velocity;
     expect(x[hitting]).toBeCloseTo(5 - impulse, digits);

@@ -10,8 +10,8 @@ const SPACING = 1;
 const HEIGHT = 1.5;
 const LENGTH = 24;
 
-/** A crate for so many characters, and its side, m. */
-const CRATES = 5;
+/** Number of characters for each crate, and the side of a crate, m. */
+const CHARACTERS_PER_CRATE = 5;
 const SIDE = 0.4;
 
 /** Half of the way that a character walks to and fro, m. */
@@ -26,7 +26,7 @@ export const crowd = defineScene({
     const { count } = setup.parameters;
     const end = 0.5 * ROOM * count + 2 * WAY;
     const vertices = Math.ceil((2 * end) / SPACING) + 1;
-    const crates = Math.ceil(count / CRATES);
+    const crates = Math.ceil(count / CHARACTERS_PER_CRATE);
     const world = rigidWorld(setup, vertices + count + crates + 10, GRAVITY, { components: [Walker] });
     const heightAt = (x: number) => 0.5 * HEIGHT * (1 - cos((2 * Math.PI * x) / LENGTH) + 0.3 * sin(x));
     // What is solid lies to the left of a chain: below one that goes to the left.
@@ -36,7 +36,7 @@ export const crowd = defineScene({
     });
     spawnChain(world, hills, { friction: 0.6 });
     for (let i = 0; i < crates; i++) {
-      const x = (i + 0.5 - 0.5 * crates) * CRATES * ROOM;
+      const x = (i + 0.5 - 0.5 * crates) * CHARACTERS_PER_CRATE * ROOM;
       spawn(world, {
         position: { x, y: heightAt(x) + SIDE },
         velocity: {},

@@ -4,8 +4,8 @@ import { get, put } from '../../memory/columns';
 import { flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
 import { blockAt, contactOf, laneAt, pointAt } from '../../solver/2d/contact-place';
-import { Impact, impactAt, pointOf } from './impact';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { Impact, impactAt, pointOf } from './impact';
 import { memberOf, treeOf, weighTrees } from './impact-trees';
 
 // In t.impactOf: joints keep the points of the contact from moving apart.

@@ -5,8 +5,9 @@
 // Source: Smith et al., Reflections on Simultaneous Impact (SIGGRAPH 2012), section 4.
 import { get, put } from '../../memory/columns';
 import { putWord, word } from '../../solver/2d/body';
-import { firstEdge, nextEdge, visit } from './contact-edges';
 import { isTouching } from '../../solver/2d/contact-place';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { firstEdge, nextEdge, visit } from './contact-edges';
 import {
   Impact,
   applyTangentImpulse,
@@ -18,7 +19,6 @@ import {
 } from './impact';
 import { addImpact } from './impact-list';
 import { memberOf, othersIn, projectImpact, projectImpacts, projectStruck } from './impact-trees';
-import { RigidTable } from '../../solver/2d/rigid-table';
 import { stop } from './stop-impact';
 
 // Contacts that approach faster than this part of the fastest of the same bodies are thrown back with it.

@@ -6,8 +6,8 @@ import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, ImpactPoint, applyNormalImpulse, impactAt, normalSpeedAt, pointOf } from './impact';
 
-// Of a larger tree the bodies bounce one by one, and its joints follow after the last round: a projection takes time by the
-// joints of a tree, and a landing takes as many as it has contacts.
+// Of a larger tree the bodies bounce one by one, and its joints follow after the last round: the time of a projection grows with the
+// joints of the tree, and each contact of the tree needs some.
 const MOST_JOINTS: i32 = 64;
 
 // Points that joints let move apart by less than this part of what they would without joints are held.

@@ -12,13 +12,13 @@ import { get } from '../../memory/columns';
 import { LANES, splat } from '../../memory/lanes';
 import { putWord, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
-import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
 import { contactOf, isFast, laneAt, pointAt } from '../../solver/2d/contact-place';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
 import { memberOf, othersIn, projectImpact, projectImpacts, startTrees } from './impact-trees';
-import { RigidTable } from '../../solver/2d/rigid-table';
 
 // An impact runs on where it strikes by more than this part of the threshold.
 const LEAST_PART: real = 0.1;

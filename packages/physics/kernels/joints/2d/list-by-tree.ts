@@ -1,6 +1,5 @@
 // The trees of joints one by one, for what changes one and no other.
 import { putWord, word } from '../../solver/2d/body';
-import { ARTICULATED_BODY_SIZE } from './articulated-body';
 import { JointTable } from './joint-table';
 import { placeAt } from './joint-work';
 
@@ -15,24 +14,20 @@ export function listByTree(t: JointTable): void {
   for (let tree = 0; tree < t.rootCount; tree++) putWord(t.treeOf, word(t.roots, tree), tree + 1);
   // How many joints each tree has, two places further: `append` moves the starts by one place.
   for (let k = 0; k < t.treeCount; k++) {
-    const tree = treeOfRow(t, rowAbove(t, k));
+    const tree = treeOfRow(t, placeAt(t, k).parentRow);
     if (placeAt(t, k).below != 0) putWord(t.treeOf, placeAt(t, k).childRow, tree + 1);
     putWord(t.treeStarts, tree + 2, word(t.treeStarts, tree + 2) + 1);
   }
   for (let tree = 1; tree <= t.rootCount; tree++) {
     putWord(t.treeStarts, tree + 1, word(t.treeStarts, tree) + word(t.treeStarts, tree + 1));
   }
-  for (let k = 0; k < t.treeCount; k++) append(t, treeOfRow(t, rowAbove(t, k)), k);
+  for (let k = 0; k < t.treeCount; k++) append(t, treeOfRow(t, placeAt(t, k).parentRow), k);
 }
 
 function append(t: JointTable, tree: i32, k: i32): void {
   const end = word(t.treeStarts, tree + 1);
   putWord(t.treeJoints, end, k);
   putWord(t.treeStarts, tree + 1, end + 1);
-}
-
-function rowAbove(t: JointTable, k: i32): i32 {
-  return word(t.bodyRows, <i32>((placeAt(t, k).above - t.bodies) / ARTICULATED_BODY_SIZE));
 }
 
 // The number of the tree that a body is in, -1 for none.
