@@ -1,8 +1,7 @@
 /**
  * What the physics costs a game: minified and gzipped, bitECS left out, with both precisions in it and with one. It is
- * bundled from what npm would publish, as by a user. A game carries what it imports, and exports nothing; the lists below
- * are what typical games do. Then what each game's own code weighs: its files and its scene, beside the packages that all
- * games share.
+ * bundled from what npm would publish, as by a user. A game carries what it imports, and exports nothing. Then what each
+ * game's own code weighs: its files and its scene, beside the packages that all games share.
  */
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
@@ -10,27 +9,7 @@ import { bundleOptions } from './lib/bundle.mjs';
 import { withPackedPackages } from './lib/packed-packages.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { gameNames } from './lib/site-pages.mjs';
-
-const particles = `createPhysicsWorld destroyWorld spawn spawnMany despawn step createRunner entityRef isAlive resolve
-  bodies rgba PhysicsError on startProfile energy momentum angularMomentum centreOfMass stateHash uniformGravity linearDrag
-  quadraticDrag attractors springs replaceForce defineForce semiImplicitEuler velocityVerlet rungeKutta4 boxWalls standard`;
-const emitters = 'createEmitter setEmitter setRate moveEmitter burst aliveCount destroyEmitter createRandom';
-const contacts = 'particleContacts contacts segmentWalls planeWalls collideBodies';
-const rigid = `createPhysicsWorld destroyWorld spawn despawn step createRunner bodies on uniformGravity linearDrag
-  rigidBodies softStep box capsule chain circle decompose polygon segment setShape spawnChain spawnCompound createJoint
-  distance filterJoint gear motorJoint mouseJoint prismatic pulley revolute weld wheel jointForce jointTorque endedJoints
-  contactEvents sensorEvents motionEvents isAsleep wake rayCast rayCastAll castShape castShapeAll overlapShape nearestPoint
-  bodyAt contactPoints bodyBoxes boxWalls snapshot restore stateHash`;
-
-/** Limits in KB, of both precisions and of one, keep what was reached: lower them when you make something smaller. */
-const bundles = [
-  { name: 'discInertia', imports: 'discInertia', limits: [0.7, 0.7] },
-  { name: 'particles', imports: particles, limits: [56.9, 53.7] },
-  { name: 'with emitters', imports: `${particles} ${emitters}`, limits: [67.7, 63.5] },
-  { name: 'with contacts', imports: `${particles} ${emitters} ${contacts}`, limits: [96.6, 79.5] },
-  { name: 'rigid bodies in 2D', imports: rigid, limits: [168.6, 117] },
-  { name: 'everything', imports: '*', limits: [305.8, 219.2] },
-];
+import { bundles } from './lib/size-limits.mjs';
 
 /** Export conditions that leave a precision out, and what the rows of the table are called. */
 const PRECISIONS = [
