@@ -1,19 +1,17 @@
 import {
   cos,
+  createJoint,
   createPhysicsWorld,
-  defineForce,
+  distance,
   energy,
-  type Force,
   momentum,
-  type PhysicsWorld,
-  particleContacts,
   rgba,
-  rungeKutta4,
+  rigidBodies,
   sin,
   spawn,
   uniformGravity,
 } from '@principia/physics';
-import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
+import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS, type Point } from '../picture.ts';
 import { positionOf, velocityOf } from '../support/read.ts';
 
@@ -23,40 +21,6 @@ const [COUNT, RADIUS, LENGTH, GRAVITY] = [5, 0.05, 0.5, 9.81];
 /** Between balls at rest, m: so small that they meet one after the other, as real ones do. */
 const GAP = 1e-4;
 const PIVOTS = Array.from({ length: COUNT }, (_, i) => ({ x: (i - (COUNT - 1) / 2) * (2 * RADIUS + GAP), y: 0 }));
-
-/** The tension that keeps each ball on its circle, m (v²/r + g cos φ): Goldstein, Classical Mechanics, section 1.3. */
-function strings(balls: readonly number[]): Force {
-  return defineForce({
-    name: 'strings',
-    reads: ['Position', 'Velocity', 'Mass'],
-    accumulate({ components: { Position: p, Velocity: v, Mass }, scratch: { force } }, first, last) {
-      for (let i = 0; i < balls.length; i++) {
-        const id = balls[i];
-        if (id < first || id >= last) continue;
-        const [x, y] = [p.x[id] - PIVOTS[i].x, p.y[id] - PIVOTS[i].y];
-        const square = x * x + y * y;
-        const pull = (Mass.value[id] * (v.x[id] * v.x[id] + v.y[id] * v.y[id] - GRAVITY * y)) / square;
-        force.x[id] -= pull * x;
-        force.y[id] -= pull * y;
-      }
-    },
-  });
-}
-
-/** A blow that is not quite level would stretch a string: its jerk takes the velocity along it, and the ball stays. */
-function keepLengths({ components: { Position: p, Velocity: v } }: PhysicsWorld, balls: readonly number[]): void {
-  for (let i = 0; i < balls.length; i++) {
-    const id = balls[i];
-    const [x, y] = [p.x[id] - PIVOTS[i].x, p.y[id] - PIVOTS[i].y];
-    const square = x * x + y * y;
-    const along = (v.x[id] * x + v.y[id] * y) / square;
-    v.x[id] -= along * x;
-    v.y[id] -= along * y;
-    const scale = LENGTH / Math.sqrt(square);
-    p.x[id] = PIVOTS[i].x + scale * x;
-    p.y[id] = scale * y;
-  }
-}
 
 /** Speed at the lowest point, √(2 g L (1 − cos φ)). */
 const lowest = (degrees: number) => Math.sqrt(2 * GRAVITY * LENGTH * (1 - cos((degrees * Math.PI) / 180)));
@@ -79,20 +43,23 @@ export default defineExample({
     { label: 'Three balls', values: { pulled: 3 } },
     { label: 'Balls of clay', values: { restitution: 0 } },
   ],
-  build({ pulled, degrees, restitution }: Values, { integrator = rungeKutta4 }: BuildOptions) {
-    const balls: number[] = [];
-    const forces = [uniformGravity({ y: -GRAVITY }), strings(balls)];
-    const world = createPhysicsWorld({ preset: particleContacts, capacity: 16, forces, integrator });
+  build({ pulled, degrees, restitution }: Values) {
+    const world = createPhysicsWorld({
+      preset: rigidBodies,
+      capacity: 16,
+      forces: [uniformGravity({ y: -GRAVITY })],
+    });
     const angle = (-degrees * Math.PI) / 180;
-    for (const [i, pivot] of PIVOTS.entries()) {
+    const balls = PIVOTS.map((pivot, i) => {
       const aside = i < pulled ? angle : 0;
       const position = { x: pivot.x + LENGTH * sin(aside), y: -LENGTH * cos(aside) };
-      const collider = { radius: RADIUS, restitution };
-      balls.push(spawn(world, { position, velocity: {}, mass: 1, collider, appearance: rgba(0.75, 0.8, 0.9) }));
-    }
-    world.phases.finish.push(() => keepLengths(world, balls));
+      const collider = { radius: RADIUS, restitution, friction: 0 };
+      const ball = spawn(world, { position, velocity: {}, mass: 1, collider, appearance: rgba(0.75, 0.8, 0.9) });
+      createJoint(world, distance({ b: ball, anchorA: pivot, length: LENGTH }));
+      return ball;
+    });
     const speed = (i: number) => velocityOf(world, balls[i]).x;
-    return { world, dt: 1 / 960, balls, speed, start: energy(world).total };
+    return { world, dt: 1 / 240, balls, speed, start: energy(world).total };
   },
   picture({ world, balls }) {
     const strings = PIVOTS.flatMap((pivot, i) => ({
