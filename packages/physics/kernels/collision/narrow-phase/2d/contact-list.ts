@@ -25,7 +25,8 @@ export function addContacts(t: RigidTable): void {
   t.newPairCount = added;
 }
 
-// Reduces t.pairs to the pairs that are in no contact yet and for which there is room, once each. Returns their number.
+// Reduces t.pairs to the pairs that are in no contact yet and for which there is room, once each. Returns their number. A contact
+// of earlier bodies of these rows is about to end, and stays beside the new one until then.
 function dropKnown(t: RigidTable): i32 {
   let kept = 0;
   let at = 0;
@@ -33,8 +34,7 @@ function dropKnown(t: RigidTable): i32 {
   for (let i = 0; i < t.pairCount; i++) {
     const key = keyAt(t.pairs, i);
     while (at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) < key) at++;
-    const known = at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) == key;
-    if (known || key == last) continue;
+    if (key == last || (at < t.contactCount && isOf(t, contactAt(t, word(t.order, at)), key))) continue;
     last = key;
     if (kept == t.freeCount) {
       t.droppedCount++;
@@ -49,6 +49,19 @@ function dropKnown(t: RigidTable): i32 {
 // @ts-ignore: decorator
 @inline function keyOf(contact: RigidContact): u64 {
   return ((<u64>contact.a) << 32) | <u64>contact.b;
+}
+
+// Whether it is the contact of a pair of shapes, and of the bodies to which these now belong.
+function isOf(t: RigidTable, contact: RigidContact, key: u64): bool {
+  if (keyOf(contact) != key || !isCurrent(t, contact)) return false;
+  return contact.bodyA == bodyOf(t, contact.a) && contact.bodyB == bodyOf(t, contact.b);
+}
+
+// Whether the rows still hold what the contact was made for.
+// @ts-ignore: decorator
+@inline export function isCurrent(t: RigidTable, contact: RigidContact): bool {
+  const sameA = contact.generationA == <u32>word(t.generations, contact.a);
+  return sameA && contact.generationB == <u32>word(t.generations, contact.b);
 }
 
 function openContact(t: RigidTable, key: u64): i32 {

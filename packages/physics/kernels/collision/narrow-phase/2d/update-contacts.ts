@@ -36,7 +36,7 @@ import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet, kindsMeet, layersMeet } from '../../broad-phase/2d/pair-filter';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
-import { freeContact, sensorFlags } from './contact-list';
+import { freeContact, isCurrent, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, reachOf } from './far-points';
 import { Manifold, setPoses } from './manifold';
 import { mixMaterials } from './mix-materials';
@@ -145,8 +145,7 @@ function isOver(t: RigidTable, contact: RigidContact): bool {
     if (contact.bodyA != bodyOf(t, a) || contact.bodyB != bodyOf(t, b)) return true;
   } else if (!layersMeet(t, a, b)) return true;
   if (areJoined(t, contact.bodyA, contact.bodyB)) return true;
-  const sameA = contact.generationA == <u32>word(t.generations, a);
-  return !sameA || contact.generationB != <u32>word(t.generations, b);
+  return !isCurrent(t, contact);
 }
 
 // What lay on something that is gone wakes in the next step.
