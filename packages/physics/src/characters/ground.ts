@@ -2,6 +2,7 @@
 import { rayCastAll } from '../queries/ray-cast.ts';
 import type { Character } from './character.ts';
 import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
+import { velocityAt } from './surface-body.ts';
 import { firstMeeting } from './surroundings.ts';
 
 /** Whether a character can stand and walk on a surface. */
@@ -47,4 +48,17 @@ export function groundBelow(
   if (met === undefined) return undefined;
   const position = plus(start, motion, met.fraction);
   return isGround(character, met.surface, position) ? { position, surface: met.surface } : undefined;
+}
+
+/**
+ * Returns the ground that a character stood on if that has just gone down from under it: a lift, or a plank that yields to its
+ * weight. Undefined if there is none, or if it was further away before.
+ */
+export function recedingGround(character: Character, start: Vector2): Surface | undefined {
+  const { world, up, dt, margin, snapDistance } = character;
+  const below = groundBelow(character, start, snapDistance);
+  if (below === undefined) return undefined;
+  const receded = -dot(velocityAt(world, below.surface.id, below.surface.point), up) * dt;
+  const gap = dot(plus(start, below.position, -1), up);
+  return receded > 0 && gap <= receded + margin ? below.surface : undefined;
 }

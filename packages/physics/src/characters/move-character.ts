@@ -6,7 +6,7 @@ import { checkNumber, checkVector } from '../errors/validate.ts';
 import { assertPlanar } from '../queries/body-query.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { type Character, type CharacterOptions, checkCharacter } from './character.ts';
-import { groundBelow, heightAbove, isGround, mostLevel } from './ground.ts';
+import { groundBelow, heightAbove, isGround, mostLevel, recedingGround } from './ground.ts';
 import { pushBodies } from './push-bodies.ts';
 import { type Slide, slide, stopped } from './slide.ts';
 import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
@@ -71,15 +71,17 @@ export function moveCharacter(
   const start = { x: Position.x[body], y: Position.y[body] };
   const atRest = touchedSurfaces(checked, start);
   const isUnder = (surface: Surface) => isGround(checked, surface, start);
-  const ground = mostLevel(atRest.filter(isUnder), checked.up);
+  const isRising = dot(own, checked.up) > 0;
+  const ground =
+    mostLevel(atRest.filter(isUnder), checked.up) ?? (isRising ? undefined : recedingGround(checked, start));
   const groundVelocity = ground === undefined ? ZERO : carryingVelocity(world, ground);
   const character = { ...checked, groundVelocity };
   // What comes nearer depends on how the character rides along.
   const nearby = groundVelocity.x === 0 && groundVelocity.y === 0 ? atRest : touchedSurfaces(character, start);
-  const moved =
-    ground !== undefined && dot(own, character.up) <= 0
-      ? walk(character, start, ground, own, nearby)
-      : slide(character, start, plus(ZERO, own, dt), nearby);
+  const walks = ground !== undefined && !isRising;
+  const moved = walks
+    ? walk(character, start, ground, own, nearby)
+    : slide(character, start, plus(ZERO, own, dt), nearby);
   const support = bodyBehind(world, ground?.id ?? 0);
   const end = ride(character, moved.end, support);
   Velocity.x[body] = (end.x - start.x) / dt;
@@ -87,7 +89,7 @@ export function moveCharacter(
   const touched = touchedSurfaces(character, moved.end);
   // Before bodies are pushed, so that the ground still has the velocity of which the character was one step ago.
   const inWorld = plus(own, groundVelocity);
-  const motion = motionAt(character, moved.end, touched, inWorld);
+  const motion = motionAt(character, moved.end, touched, inWorld, walks);
   pushBodies(character, [...touched, ...moved.surfaces], inWorld, support);
   return motion;
 }
@@ -139,6 +141,7 @@ function motionAt(
   position: Vector2,
   touched: readonly Surface[],
   velocity: Vector2,
+  walks: boolean,
 ): CharacterMotion {
   const { world, up } = character;
   const [grounds, walls]: [Surface[], Surface[]] = [[], []];
@@ -147,7 +150,8 @@ function motionAt(
   const groundVelocity = ground === undefined ? ZERO : carryingVelocity(world, ground);
   const relative = plus(velocity, groundVelocity, -1);
   const contacts = touched.map(contactOf);
-  if (ground === undefined || dot(relative, up) > 0) {
+  // One who walks from one plank to another that goes down faster does not jump.
+  if (ground === undefined || (!walks && dot(relative, up) > 0)) {
     const stoppedVelocity = stopped(character, position, velocity, walls);
     return { velocity: stoppedVelocity, grounded: false, ground: 0, normal: up, groundVelocity: ZERO, contacts };
   }
