@@ -63,7 +63,7 @@ export function forcePage(): string {
     '`world.forces` lists the records of a world. *Energy* marks',
     'those with a potential, with which `energy(world)` closes. Those marked *last* answer the forces listed before them.',
     'Formulas are typeset from the expressions that are compiled. Any force can be kept to some bodies, places or times by',
-    '`restrictForce(force, { group, region, from, until })`; one of your own is [an expression](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
+    '`restrictForce(force, { group, region, from, until })`, where `group` is a component that the bodies have, by its name or one that you defined; one of your own is [an expression](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
     '`applyImpulse` and `explode`.',
     '',
     '| function | law | components it reads | |',

@@ -28,7 +28,7 @@ import {
   uniformGravity,
   type Warning,
 } from '@principia/physics';
-import { removeComponent } from 'bitecs';
+import { addComponent, removeComponent, set } from 'bitecs';
 import { expect, it } from 'vitest';
 
 /** A world, and the warnings that it has given. */
@@ -84,6 +84,28 @@ it('names a coefficient that no force reads, and the force to add', () => {
   expect(messages()).toBe('LinearDrag has no effect, because no force of this world reads it.');
   expect(warnings[0].hint).toBe('Add linearDrag() to `forces`.');
 });
+
+it.each([
+  ['GravityScale', 'value', 0.01],
+  ['MotionLocks', 'y', 1],
+] as const)(
+  'names a value of %s that counts for nothing, because the body lacks the component',
+  (name, field, value) => {
+    const { world, warnings, messages } = listen({ preset: rigidBodies, forces: [uniformGravity()] });
+    const [without, with_] = [0, 9].map((x) => spawn(world, { position: { x }, velocity: {}, mass: 1 }));
+    addComponent(world, with_, set(world.components[name], { [field]: value }));
+    (world.components[name] as Record<string, { [row: number]: number }>)[field][without] = value;
+    step(world, 0.01);
+    expect(messages()).toBe(
+      `${name}.${field} of body ${without} is ${value} and has no effect, because the body does not have ${name}.`,
+    );
+    expect(warnings[0].hint).toContain(
+      `addComponent(world, id, set(world.components.${name}, { ${field}: ${value} }))`,
+    );
+    expect(world.components.Velocity.y[without]).toBeLessThan(-0.09);
+    expect(world.components.Velocity.y[with_]).toBeGreaterThan(-0.01);
+  },
+);
 
 it('knows that an integrator reads charges', () => {
   const { world, warnings } = listen({ integrator: boris({ field: { z: 1 } }) });
@@ -215,6 +237,16 @@ it('names a rigid body that friction cannot roll, unless that is said to be mean
     'body 4 does not turn or roll, because it has no Inertia.\n' +
       'body 5 does not turn, because it has Inertia and no AngularVelocity.',
   );
+});
+
+it('says that a static body does not fall because it gets a mass', () => {
+  const { world, messages } = listen({ preset: rigidBodies });
+  const block = spawn(world, { position: { y: 3 }, collider: { radius: 0.5 } });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  addComponent(world, block, set(world.components.Mass, { value: 10 }));
+  step(world, 0.01);
+  expect(messages()).toBe('body 1 has a mass and stands still, because it has no Velocity.');
 });
 
 it('reports a handler that rejects, which no step can throw any more', async () => {

@@ -7,7 +7,7 @@ import { bitsOf } from '../components/membership.ts';
 import { entityMaker, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
-import { assertUsable } from '../ecs/guards.ts';
+import { assertOutsideStep, assertUsable } from '../ecs/guards.ts';
 import { belongsTo } from '../ecs/id-lists.ts';
 import { countPartialEntities } from '../ecs/partial-entities.ts';
 import { cleanRow } from '../ecs/rows.ts';
@@ -33,11 +33,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   assertUsable(world);
   checkWhole(count, 'count', 0, 0xffffffff);
   if (progress !== undefined) checkFunction(progress, 'progress');
-  if (world.state === 'stepping') {
-    throw new PhysicsError('E_REENTRANT', 'spawnMany cannot run inside a step.', {
-      hint: 'Use spawn, or call it after the step.',
-    });
-  }
+  assertOutsideStep(world, 'spawnMany', 'Use spawn, or call it after the step.');
   ensureCapacity(world, count);
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
   const { body, shape } = resolveShape(world, values);

@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import { type Bounds, checkObject } from '../errors/validate.ts';
+import { type Bounds, checkObject, isRecord } from '../errors/validate.ts';
 
 /** A column of real numbers: f32 or f64 according to the world's precision. */
 export type RealColumn = Float32Array | Float64Array;
@@ -95,6 +95,11 @@ export function normaliseFields(
     });
   }
   for (const field of fields) values[field] /= length;
+}
+
+/** Whether a value is a component: one of `COMPONENTS`, or one that `defineComponent` made. */
+export function isComponent(value: unknown): value is ComponentSpec {
+  return isRecord(value) && isRecord(value.fields);
 }
 
 /** Declares a component; its columns are made per world. */

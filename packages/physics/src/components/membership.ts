@@ -1,5 +1,6 @@
 // Which components an entity has: bits in two words. Kernels and laws test several components of the first word at
-// once; components that only TypeScript asks for may be in the second.
+// once; components that only TypeScript asks for may be in the second. The bits that are left in the second belong to the
+// components of the user, in the order in which a world was given them.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { COMPONENT_NAMES, type ComponentName } from './all.ts';
 
@@ -28,6 +29,20 @@ export function bitOf(name: ComponentName): number {
     field: name,
     hint: `List it among the first ${FIRST_WORD} components in components/all.ts.`,
   });
+}
+
+/** Components in the second word. */
+const IN_SECOND_WORD = Math.max(0, COMPONENT_NAMES.length - FIRST_WORD);
+
+/** The bits of the second word that belong to components of the package. */
+export const BUILT_IN_BITS = (1 << IN_SECOND_WORD) - 1;
+
+/** How many components of the user have a bit. */
+export const MAX_OWN_BITS = FIRST_WORD - IN_SECOND_WORD;
+
+/** The bit of a component of the user in the second word, by its place among those of the world; 0 beyond the last bit. */
+export function ownBitAt(place: number): number {
+  return place < MAX_OWN_BITS ? 1 << (IN_SECOND_WORD + place) : 0;
 }
 
 /** Bits of several components in each of the two words. */

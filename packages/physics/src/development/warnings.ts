@@ -86,12 +86,14 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
     });
   }
   warnAboutUnreadComponents(world);
+  warnAboutStrayValues(world);
   warnAboutInertiaTensors(world);
   warnAboutRepeatedForces(world);
   warnAboutSprings(world);
   warnAboutShapes(world);
   warnAboutMissingPositions(world);
   warnAboutSurfaces(world, plan);
+  warnAboutBodiesThatStandStill(world);
   warnAboutBodiesThatDoNotTurn(world);
   warnAboutSmallBodies(world, dt);
 }
@@ -134,6 +136,26 @@ function warnAboutUnreadComponents(world: PhysicsWorld): void {
       message: `${component} has no effect, because no force of this world reads it.`,
       hint: `Add ${factory} to \`forces\`.`,
     });
+  }
+}
+
+/** Components that are asked for before their columns are read: a value in the row of a body without them does nothing. */
+const ASKED_FOR = ['GravityScale', 'MotionLocks'] as const;
+
+/** Finds what was written before the first step, or before bodies came or changed. */
+function warnAboutStrayValues(world: PhysicsWorld): void {
+  const { members } = world.internal;
+  for (const name of ASKED_FOR) {
+    const bit = bitOf(name);
+    for (const [field, column] of Object.entries<{ [row: number]: number }>(world.components[name])) {
+      const stray = firstRow(world, (id) => column[id] !== 0 && (members[id] & bit) === 0);
+      if (stray === 0) continue;
+      const warning = {
+        message: `${name}.${field} of body ${stray} is ${column[stray]} and has no effect, because the body does not have ${name}.`,
+        hint: `Add it: addComponent(world, id, set(world.components.${name}, { ${field}: ${column[stray]} })).`,
+      };
+      warnOnce(world, warning, `${name} without the component`);
+    }
   }
 }
 
@@ -192,6 +214,21 @@ function warnAboutMissingPositions(world: PhysicsWorld): void {
     hint: 'Spawn it with `position: {}`, which is the origin.',
   };
   warnOnce(world, warning, 'no Position');
+}
+
+/** A static body does not fall because it gets a mass. */
+function warnAboutBodiesThatStandStill(world: PhysicsWorld): void {
+  if (world.integrator.solvesWalls !== true) return;
+  const { members } = world.internal;
+  const { Mass } = world.components;
+  const [body, velocity] = [bitOf('Position') | bitOf('Collider'), bitOf('Velocity')];
+  const still = firstRow(world, (id) => (members[id] & (body | velocity)) === body && Mass.value[id] > 0);
+  if (still === 0) return;
+  const warning = {
+    message: `body ${still} has a mass and stands still, because it has no Velocity.`,
+    hint: 'A body that is to move has Mass, Inertia, Velocity and AngularVelocity: addComponents adds what is missing.',
+  };
+  warnOnce(world, warning, 'no Velocity');
 }
 
 /** Friction is meant to roll a disc. A body that is meant not to turn says so by `inertia: Infinity` or by `motionLocks`. */

@@ -13,7 +13,10 @@ export function notesOf(world: PhysicsWorld, block: ParameterBlock): (address: n
 }
 
 function namesOf({ addresses, previousAddresses, scratch, internal }: PhysicsWorld): Map<number, string> {
-  const names = new Map([[internal.membersAt, 'components of the entity']]);
+  const names = new Map([
+    [internal.membersAt, 'components of the entity'],
+    [internal.moreMembersAt, 'components of the entity'],
+  ]);
   const add = (prefix: string, groups: object) => {
     for (const [name, fields] of Object.entries(groups)) {
       for (const [field, address] of Object.entries(fields as Readonly<Record<string, number>>)) {

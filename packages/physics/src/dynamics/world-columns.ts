@@ -1,6 +1,6 @@
 // The columns and parameters of a world as leaves of a graph: binds the names used by laws to a world.
 
-import { ownColumns } from '../ecs/own-components.ts';
+import { ownBit, ownColumns } from '../ecs/own-components.ts';
 import { MOVABLE } from '../ecs/partial-entities.ts';
 import type { ColumnData } from '../laws/body-symbols.ts';
 import type { Environment } from '../laws/environment.ts';
@@ -69,6 +69,7 @@ export class WorldColumns {
         return this.load(block.addressOf(parameters, parameter, index, stage));
       },
       column: (component, field, kind) => this.#column(component, field, kind),
+      ownBit: (component) => ownBit(this.world, component),
       // A world whose first body gets a GravityScale makes a new plan, and with it this code anew.
       isAbsent: (name) => name === 'GravityScale' && this.world.internal.counts.GravityScale === 0,
       noise: (seed, channel) => graph.make('noise', [seed, this.load(block.tick)], channel),

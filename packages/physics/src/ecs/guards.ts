@@ -38,6 +38,15 @@ export function whenIdle({ state, internal }: PhysicsWorld, edit: () => void): v
 }
 
 /**
+ * Rejects a world whose rows must not change now; unlike most edits, `what` is not deferred to the end of the step.
+ * @param hint what to do instead
+ * @throws PhysicsError E_REENTRANT
+ */
+export function assertOutsideStep({ state }: PhysicsWorld, what: string, hint: string): void {
+  if (state === 'stepping') throw new PhysicsError('E_REENTRANT', `${what} cannot run inside a step.`, { hint });
+}
+
+/**
  * Rejects a destroyed world and a world that is in a step.
  * @throws PhysicsError E_REENTRANT, E_DESTROYED, E_TYPE
  */

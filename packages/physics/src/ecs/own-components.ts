@@ -1,9 +1,10 @@
 // Custom components whose columns are in the world's memory: laws read them, snapshots save them, and bitECS adds and
 // removes them like built-in components.
 import { observe, onAdd, onRemove, onSet } from 'bitecs';
-import type { ColumnsOf, ComponentSpec, FieldSpec } from '../components/define.ts';
+import { type ColumnsOf, type ComponentSpec, type FieldSpec, isComponent } from '../components/define.ts';
+import { MAX_OWN_BITS, ownBitAt } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkKeys, checkList, checkNumber, isRecord, mustBe } from '../errors/validate.ts';
+import { checkKeys, checkList, checkNumber, mustBe } from '../errors/validate.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import type { Arena } from '../memory/arena.ts';
 import { realColumn, wordColumn } from '../memory/columns.ts';
@@ -17,7 +18,7 @@ export function checkOwnComponents(components: unknown): readonly ComponentSpec[
   checkList(components, 'components');
   const list = (components ?? []) as readonly unknown[];
   list.forEach((component, i) => {
-    if (isRecord(component) && isRecord(component.fields)) return;
+    if (isComponent(component)) return;
     throw mustBe('a component made by defineComponent', component, `components[${i}]`);
   });
   return list as readonly ComponentSpec[];
@@ -36,7 +37,7 @@ export function makeOwnColumns(
   components: readonly ComponentSpec[],
 ): OwnComponents {
   return new Map(
-    components.map((component): [ComponentSpec, OwnColumns] => {
+    components.map((component, place): [ComponentSpec, OwnColumns] => {
       const made = Object.entries<FieldSpec>(component.fields).map(([field, { kind }]) => {
         const [column, address] =
           kind === 'real' ? realColumn(arena, precision, rows, field) : wordColumn(arena, rows, field);
@@ -45,7 +46,11 @@ export function makeOwnColumns(
       const columns = Object.freeze(Object.fromEntries(made.map(([field, column]) => [field, column])));
       return [
         component,
-        { columns, addresses: Object.fromEntries(made.map(([field, , address]) => [field, address])) },
+        {
+          columns,
+          addresses: Object.fromEntries(made.map(([field, , address]) => [field, address])),
+          bit: ownBitAt(place),
+        },
       ];
     }),
   );
@@ -53,28 +58,23 @@ export function makeOwnColumns(
 
 /** Registers observers that fill and clear the rows; called once when the world is created. */
 export function observeOwnComponents(world: PhysicsWorld): void {
-  for (const [component, { columns }] of world.internal.ownComponents) {
+  const { moreMembers } = world.internal;
+  for (const [component, { columns, bit }] of world.internal.ownComponents) {
     const { fields } = component;
     observe(world, onAdd(component), refuseDefinition);
-    const write = (eid: number, values: Readonly<Record<string, number>>) =>
+    const change = (isMember: boolean) => (eid: number) =>
+      whenIdle(world, () => {
+        moreMembers[eid] = isMember ? moreMembers[eid] | bit : moreMembers[eid] & ~bit;
+        for (const field of Object.keys(columns)) columns[field][eid] = isMember ? fields[field].initial : 0;
+      });
+    observe(world, onAdd(columns), change(true));
+    observe(world, onRemove(columns), change(false));
+    observe(world, onSet(columns), (eid: number, data: unknown) => {
+      const values = checkedValues(fields, data, eid);
       whenIdle(world, () => {
         for (const field of Object.keys(values)) columns[field][eid] = values[field];
       });
-    const all = (numberOf: (spec: FieldSpec) => number) =>
-      Object.fromEntries(Object.entries<FieldSpec>(fields).map(([field, spec]) => [field, numberOf(spec)]));
-    observe(world, onAdd(columns), (eid: number) =>
-      write(
-        eid,
-        all(({ initial }) => initial),
-      ),
-    );
-    observe(world, onSet(columns), (eid: number, data: unknown) => write(eid, checkedValues(fields, data, eid)));
-    observe(world, onRemove(columns), (eid: number) =>
-      write(
-        eid,
-        all(() => 0),
-      ),
-    );
+    });
   }
 }
 
@@ -121,8 +121,18 @@ export function ownColumns({ internal }: PhysicsWorld, component: ComponentSpec)
   const found = internal.ownComponents.get(component);
   if (found !== undefined) return found;
   const fields = Object.keys(component?.fields ?? {}).join(', ');
-  throw new PhysicsError('E_UNKNOWN', `this world was created without the component { ${fields} }.`, {
+  throw new PhysicsError('E_UNKNOWN', `this world was created without the component {${fields}}.`, {
     field: 'components',
     hint: 'Pass it to createPhysicsWorld: createPhysicsWorld({ components: [MyComponent] }).',
   });
+}
+
+/**
+ * The bit of a custom component in the second word of membership.
+ * @throws PhysicsError E_UNKNOWN if the world was created without it, E_RANGE if no bit was left for it
+ */
+export function ownBit(world: PhysicsWorld, component: ComponentSpec): number {
+  const { bit } = ownColumns(world, component);
+  if (bit !== 0) return bit;
+  throw new PhysicsError('E_RANGE', `forces cannot ask for this component: list it among the first ${MAX_OWN_BITS}.`);
 }

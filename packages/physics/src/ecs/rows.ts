@@ -2,7 +2,7 @@
 import { removeComponent } from 'bitecs';
 import { COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
-import { bitInWord, isInFirstWord } from '../components/membership.ts';
+import { BUILT_IN_BITS, bitInWord, isInFirstWord } from '../components/membership.ts';
 import { type Columns, copyPose } from '../memory/previous-pose.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { countPartialEntities } from './partial-entities.ts';
@@ -14,9 +14,9 @@ export function isOpen(world: PhysicsWorld, eid: number, name: ComponentName): b
   return ((isInFirstWord(name) ? members : moreMembers)[eid] & bitInWord(name)) !== 0;
 }
 
-/** Returns whether an entity has any component. */
+/** Returns whether an entity has any component of the package. */
 export function isRowUsed({ internal }: PhysicsWorld, eid: number): boolean {
-  return (internal.members[eid] | internal.moreMembers[eid]) !== 0;
+  return (internal.members[eid] | (internal.moreMembers[eid] & BUILT_IN_BITS)) !== 0;
 }
 
 function toggleBit(world: PhysicsWorld, eid: number, name: ComponentName): void {

@@ -344,6 +344,18 @@ describe('an emitter', () => {
     step(world, 0.1);
   });
 
+  test('is not created inside a step, which says what to do; a burst from there is born in the next', () => {
+    const { world, emitter } = emitting({ capacity: 5 });
+    world.phases.finish.push(() => {
+      expect(() => createEmitter(world, { capacity: 5 })).toThrow(
+        /E_REENTRANT: createEmitter cannot run inside a step\. Create it before.*burst\(/,
+      );
+      if (world.tick === 0) burst(emitter, 3);
+    });
+    run(world, 0.1);
+    expect(aliveCount(emitter)).toBe(3);
+  });
+
   test('frees its entities when destroyed, and its memory for the next', () => {
     const world = createPhysicsWorld({ capacity: 1100 });
     let top = 0;

@@ -1,5 +1,5 @@
 import { entityRef } from '../ecs/entity-ref.ts';
-import { assertUsable, whenIdle } from '../ecs/guards.ts';
+import { assertOutsideStep, assertUsable, whenIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import {
   checkChoice,
@@ -44,11 +44,15 @@ import type { Emitter } from './types.ts';
  */
 export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   assertUsable(world);
+  assertOutsideStep(world, 'createEmitter', IN_STEP);
   // Each option is read once, so that a getter cannot return an unchecked value later.
   const copy = isRecord(options) ? { ...options } : options;
   checkOptionNames(copy, 'createEmitter', false);
   return makeEmitter(world, copy);
 }
+
+const IN_STEP =
+  'Create it before, without `rate`, and call burst(emitter, count, { position }) here; or create it after the step.';
 
 function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity);

@@ -6,6 +6,7 @@ import {
   createPhysicsWorld,
   electricField,
   energy,
+  type Field,
   fixedCharges,
   forceField,
   magneticField,
@@ -154,6 +155,32 @@ describe('user-defined fields', () => {
     const { world, eid } = single([law], { mass: 5 }, { dimensions: 3 });
     expect(forceOn(world, eid, 7).z).toBe(7);
     expect(forceOn(world, eid, 0).z).toBe(0);
+  });
+
+  test.each([
+    ['accelerationField', accelerationField],
+    ['forceField', forceField],
+  ])('%s says so when the function returns the field instead of writing it', (_, make) => {
+    const { world } = single([make((() => ({ x: 20, y: 0 })) as Field, { name: 'breeze' })], { mass: 5 });
+    expect(() => step(world, 0.1)).toThrow(
+      /E_TYPE: "breeze" returned an object and wrote nothing to `out`\. Write to it: \(x, y, z, t, out\) =>/,
+    );
+  });
+
+  test('may return what they like once they have written, and the number that they wrote, 0 too', () => {
+    const fields: Field[] = [
+      (x, _y, _z, _t, out) => (out.x = -4 * x),
+      (_x, _y, _z, _t, out) => Object.assign(out, { x: -12 }),
+      (_x, _y, _z, _t, out) => Object.assign(out, { x: 0 }),
+    ];
+    const forces = fields.map((field) => {
+      const { world, eid } = single([forceField(field)], { position: { x: 3 }, mass: 5 });
+      step(world, 1e-9);
+      return forceOn(world, eid).x;
+    });
+    expect(forces).toEqual([-12, -12, 0]);
+    const { world } = single([forceField(fields[0])], { position: {}, mass: 5 });
+    expect(() => step(world, 0.1)).not.toThrow();
   });
 
   test('refuse values that are no functions, and unknown options', () => {

@@ -4,14 +4,18 @@
 //
 //   m  mass, kg    a  m/s²    f  N    r  position, m    t  time, s
 //
-// The function writes to `out` and must depend only on its arguments, or two runs differ; use the portable sine and
-// the other functions of this package. With a `potential` (J/kg, or J) the energy of the world is conserved. Cost:
-// one call of the function per body and evaluation, in TypeScript.
-import { PhysicsError } from '../errors/physics-error.ts';
-import { checkFunction, checkKeys } from '../errors/validate.ts';
+//   const sway = accelerationField((x, y, z, t, out) => {
+//     out.x = 2 * sin(3 * t);
+//   });
+//
+// The function writes to `out`, which holds zeros; what it returns has no effect. It must depend only on its arguments,
+// or two runs differ; use the portable sine and the other functions of this package. With a `potential` (J/kg, or J) the
+// energy of the world is conserved. Cost: one call of the function per body and evaluation, in TypeScript.
+import { describe, PhysicsError } from '../errors/physics-error.ts';
+import { checkFunction, checkKeys, type Vector } from '../errors/validate.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 
-/** Writes the field at (x, y, z) and time t to `out`, which holds zeros. */
+/** Writes the field at (x, y, z) and time t to `out`, which holds zeros. What it returns has no effect. */
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;
 
 export interface FieldOptions {
@@ -53,21 +57,36 @@ function fieldForce(field: Field, options: FieldOptions, perMass: boolean, name:
     local: true,
     accumulate({ components: { Position, Mass }, scratch, dimensions }, first, last, time) {
       const total = scratch.force;
+      let returned: unknown;
       for (let eid = first; eid < last; eid++) {
         const mass = Mass.value[eid];
         if (!(mass > 0)) continue;
         out.x = 0;
         out.y = 0;
         out.z = 0;
-        field(Position.x[eid], Position.y[eid], Position.z[eid], time, out);
+        returned = field(Position.x[eid], Position.y[eid], Position.z[eid], time, out);
         const scale = perMass ? mass : 1;
         total.x[eid] += scale * out.x;
         total.y[eid] += scale * out.y;
         if (dimensions === 3) total.z[eid] += scale * out.z;
       }
+      checkReturned(returned, out, force.name);
     },
   };
   return potential === undefined ? force : { ...force, potential: (world) => sumPotential(world, potential, perMass) };
+}
+
+/**
+ * The type of `field` allows every result, because those of functions such as `(x, y, z, t, out) => (out.x = t)` are of no
+ * account. A result in place of a field is a mistake; the last body of each range shows it.
+ * @throws PhysicsError E_TYPE
+ */
+function checkReturned(returned: unknown, out: Vector, name: string): void {
+  if (!returned || returned === out || out.x !== 0 || out.y !== 0 || out.z !== 0) return;
+  throw new PhysicsError('E_TYPE', `"${name}" returned ${describe(returned)} and wrote nothing to \`out\`.`, {
+    field: name,
+    hint: 'Write to it: (x, y, z, t, out) => { out.x = 20; }.',
+  });
 }
 
 function sumPotential(

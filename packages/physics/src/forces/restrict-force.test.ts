@@ -1,8 +1,11 @@
+import { addComponent } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws.ts';
 import {
+  columnsOf,
   constantTorque,
   createPhysicsWorld,
+  defineComponent,
   defineForce,
   energy,
   type Force,
@@ -10,6 +13,7 @@ import {
   linearDrag,
   PhysicsError,
   type Region,
+  realField,
   restrictForce,
   rungeKutta4,
   semiImplicitEuler,
@@ -18,11 +22,63 @@ import {
   step,
   uniformGravity,
   velocityVerlet,
+  type Warning,
 } from '../index.ts';
 
 const gravity = uniformGravity({ y: -10 });
 
+const Windy = defineComponent({ fields: { f: realField('') } });
+const Marked = defineComponent({ fields: {} });
+
 describe('restrictForce', () => {
+  const pull = defineForce({
+    name: 'pull',
+    reads: ['Mass'],
+    accumulate({ components: { Mass }, scratch: { force } }, first, last) {
+      for (let eid = first; eid < last; eid++) force.y[eid] -= 10 * Mass.value[eid];
+    },
+    potential: ({ components: { Mass, Position }, lastId }) => {
+      let sum = 0;
+      for (let eid = 1; eid <= lastId; eid++) sum += 10 * Mass.value[eid] * Position.y[eid];
+      return sum;
+    },
+  });
+
+  test.each([
+    ['a law', gravity],
+    ['a function', pull],
+  ])('%s to a group of custom components: acts only on bodies with all of them', (_, force) => {
+    const limited = restrictForce(force, { group: [Windy, Marked, 'Charge'] });
+    const world = createPhysicsWorld({ capacity: 20, components: [Windy, Marked], forces: [limited] });
+    const ids = [0, 1, 2].map((y) => spawn(world, { position: { y }, velocity: {}, mass: 2, charge: 1 }));
+    for (const id of ids.slice(1)) addComponent(world, id, columnsOf(world, Windy));
+    addComponent(world, ids[2], columnsOf(world, Marked));
+    expect(energy(world).potential).toBe(40);
+    step(world, 0.5);
+    expect(ids.map((id) => world.components.Velocity.y[id])).toEqual([0, 0, -5]);
+  });
+
+  test.each([
+    ['a law', gravity],
+    ['a function', pull],
+  ])('%s to a custom component that the world lacks is refused before anything moves', (_, force) => {
+    const world = createPhysicsWorld({ capacity: 20, forces: [restrictForce(force, { group: Windy })] });
+    const id = spawn(world, { position: {}, velocity: { x: 1 }, mass: 2 });
+    expect(() => step(world, 0.5)).toThrow(/created without the component \{f\}.*components: \[MyComponent\]/);
+    expect([world.tick, world.components.Position.x[id]]).toEqual([0, 0]);
+  });
+
+  test('reads the components of its group, so that none of them is said to have no effect', () => {
+    const warnings: string[] = [];
+    const forces = [restrictForce(gravity, { group: 'Charge' }), restrictForce(pull, { group: ['Lift', 'Mass'] })];
+    const onWarning = ({ message }: Warning) => warnings.push(message);
+    const world = createPhysicsWorld({ capacity: 20, forces, onWarning });
+    spawn(world, { position: {}, velocity: {}, mass: 1, charge: 1, lift: 1 });
+    step(world, 0.1);
+    expect(warnings).toEqual([]);
+    expect(forces[1].reads).toEqual(['Mass', 'Lift']);
+  });
+
   test('to a group: acts only on bodies with all of its components', () => {
     const law = restrictForce(gravity, { group: ['Mass', 'Charge'] });
     const world = createPhysicsWorld({ capacity: 20, forces: [linearDrag({ x: 1 }), law] });
@@ -184,6 +240,11 @@ describe('restrictForce', () => {
 
   test('refuses invalid limits', () => {
     expect(() => restrictForce(gravity, { group: 'Colour' as never })).toThrow(/"Colour" is not a component/);
+    for (const group of [{}, 3, new Set(['Charge']), [Windy, 3], [['Charge']]]) {
+      expect(() => restrictForce(gravity, { group: group as never })).toThrow(
+        /E_TYPE.*restrictForce\.group must be the name of a component, a component made by defineComponent, or a list of these/,
+      );
+    }
     expect(() => restrictForce(gravity, { region: { min: { x: 1 }, max: { x: 0 } } })).toThrow(PhysicsError);
     expect(() => restrictForce({} as never, {})).toThrow(PhysicsError);
     expect(() => restrictForce(gravity, { until: Number.NaN })).toThrow(PhysicsError);

@@ -12,6 +12,7 @@
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
 import { bitsOf } from '../components/membership.ts';
 import type { LawForce } from '../dynamics/sum-of-laws.ts';
+import { ownBit } from '../ecs/own-components.ts';
 import { allocate } from '../memory/arena.ts';
 import { realAddresses, realBytes } from '../memory/columns.ts';
 import { LIMITS_BYTES, LimitsNumber, LimitsWord } from '../memory/layouts.gen.ts';
@@ -21,7 +22,12 @@ import { checkForce } from '../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { forceKernels } from './support/force-kernels.ts';
 import { restrictedLaw } from './support/restricted-law.ts';
-import { type CheckedRestrictions, checkRestrictions, type Restrictions } from './support/restrictions.ts';
+import {
+  type CheckedRestrictions,
+  checkRestrictions,
+  namesInGroup,
+  type Restrictions,
+} from './support/restrictions.ts';
 
 /** Saved force and torque columns, one set per nesting level of restricted forces. */
 const savesOf = resource((): number[][] => []);
@@ -33,10 +39,12 @@ export function restrictForce(force: Force, limits: Restrictions): Force {
   const checked = checkRestrictions(limits);
   const limitsAt = resource((world) => writeLimits(world, checked));
   const prepare = prepareWithin(force, checked, limitsAt);
-  if (force.law !== undefined) return { ...restrictedLaw(force as LawForce, checked), ...prepare };
+  const reads = [...new Set([...force.reads, ...namesInGroup(checked)])];
+  if (force.law !== undefined) return { ...restrictedLaw(force as LawForce, checked), reads, ...prepare };
   return {
     ...force,
     name: `${force.name} (restricted)`,
+    reads,
     ...prepare,
     accumulate(world, first, last, time) {
       // A step has one torque, that of its last evaluation, so it is decided by the start of the step, as fuel is.
@@ -61,7 +69,10 @@ function prepareWithin(
   limitsAt: (world: PhysicsWorld) => number,
 ): Pick<Force, 'prepare'> {
   const { consumes } = force;
-  if (force.prepare === undefined || consumes === undefined) return {};
+  if (force.prepare === undefined || consumes === undefined) {
+    const hasOwn = namesInGroup(limits).length < limits.group.length;
+    return hasOwn && force.law === undefined ? prepareGroup(force, limitsAt) : {};
+  }
   return {
     prepare(world, dt) {
       if (world.time < limits.from || world.time >= limits.until) return;
@@ -79,6 +90,16 @@ function prepareWithin(
         const at = limitsAt(world);
         for (let i = 0; i < columns.length; i++) forceKernels(world).restoreOutside(at, columns[i], saves[i], 0, rows);
       }
+    },
+  };
+}
+
+/** Finds out before anything moves whether the world has the components of the user in the group; laws do when compiled. */
+function prepareGroup(force: Force, limitsAt: (world: PhysicsWorld) => number): Pick<Force, 'prepare'> {
+  return {
+    prepare(world, dt) {
+      limitsAt(world);
+      force.prepare?.(world, dt);
     },
   };
 }
@@ -178,7 +199,10 @@ function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): nu
   }
 }
 
-function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedRestrictions): number {
+function writeLimits(world: PhysicsWorld, limits: CheckedRestrictions): number {
+  const { group, box, ball } = limits;
+  const required = bitsOf(namesInGroup(limits));
+  const own = group.map((component) => (typeof component === 'string' ? 0 : ownBit(world, component)));
   const { at, numbers, words } = allocateRecord(world.internal.arena, LIMITS_BYTES, 'limits');
   const isFlat = world.dimensions === 2;
   // In 2D a region has no depth: a centre has z = 0, and a box is unbounded in z.
@@ -191,9 +215,8 @@ function writeLimits(world: PhysicsWorld, { group, box, ball }: CheckedRestricti
     numbers.set([max.x, max.y, isFlat ? Infinity : max.z], LimitsNumber.bx);
   }
   words[LimitsWord.kind] = ball !== undefined ? 2 : box !== undefined ? 1 : 0;
-  const required = bitsOf(group);
   words[LimitsWord.group] = required.first;
-  words[LimitsWord.moreGroup] = required.second;
+  words[LimitsWord.moreGroup] = own.reduce((bits, bit) => bits | bit, required.second);
   words[LimitsWord.moreMembers] = world.internal.moreMembersAt;
   return at;
 }

@@ -1,6 +1,6 @@
 // The symbols of the body on which a law acts.
 import { COMPONENTS, type ComponentName } from '../components/all.ts';
-import type { ComponentSpec, FieldSpec } from '../components/define.ts';
+import { type ComponentSpec, type FieldSpec, isComponent } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkWhole, isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import { Condition, Scalar, type ScalarInput, scalarOf, Vector, vec3, vectorOf } from './expression.ts';
@@ -37,7 +37,7 @@ export interface BodySymbols {
   readonly entity: Scalar;
   /** Rotates a vector from the body's frame to world axes. */
   rotate(vector: Vector): Vector;
-  /** True if the entity has the component. */
+  /** True if the entity has the component: one of `COMPONENTS`, or one of your own that the world was created with. */
   has(component: ComponentSpec): Condition;
   /** Normal noise of variance 1, drawn once per step and equal in every stage; independent for each channel. */
   noise(seed: ScalarInput, channel: number): Scalar;
@@ -70,7 +70,7 @@ export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<R
     dt: new Scalar('dt', []),
     entity: new Scalar('entity', []),
     rotate: (vector: Vector) => new Vector('rotate', [vectorOf(vector, 'rotate')]),
-    has: (component: ComponentSpec) => new Condition('has', [], nameOf(component, law)),
+    has: (component: ComponentSpec) => new Condition('has', [], knownComponent(component, 'has(component)')),
     noise: (seed: ScalarInput, channel: number) =>
       new Scalar('noise', [scalarOf(seed, 'noise')], checkWhole(channel, 'noise: channel', 0, MAX_CHANNEL)),
   };
@@ -86,7 +86,7 @@ export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<R
         },
       );
     }
-    symbols[key] = componentSymbol(knownComponent(reads[key], law));
+    symbols[key] = componentSymbol(knownComponent(reads[key], `${law}.reads`));
   }
   return rejectUnknown(symbols, law) as unknown as BodySymbols & Readonly<Record<string, unknown>>;
 }
@@ -127,23 +127,11 @@ function specOf(component: ComponentName | ComponentSpec): ComponentSpec {
 /**
  * @throws PhysicsError E_TYPE if the argument is not a component
  */
-function knownComponent(component: ComponentSpec, law: string): ComponentName | ComponentSpec {
-  const isOwn = isRecord(component) && isRecord(component.fields);
-  return componentName(component) ?? (isOwn ? component : nameOf(component, law));
-}
-
-/**
- * @throws PhysicsError E_TYPE if the argument is not a built-in component
- */
-function nameOf(component: ComponentSpec, law: string): ComponentName {
-  const name = componentName(component);
-  if (name !== undefined) return name;
-  throw mustBe(
-    'a component, such as QuadraticDrag',
-    component,
-    `${law}.reads`,
-    isRecord(component) ? 'E_UNKNOWN' : 'E_TYPE',
-  );
+function knownComponent(component: ComponentSpec, field: string): ComponentName | ComponentSpec {
+  const known = componentName(component) ?? (isComponent(component) ? component : undefined);
+  if (known !== undefined) return known;
+  const expected = 'a component, such as COMPONENTS.QuadraticDrag or one made by defineComponent';
+  throw mustBe(expected, component, field, isRecord(component) ? 'E_UNKNOWN' : 'E_TYPE');
 }
 
 /** Returns the name of a built-in component. */

@@ -23,6 +23,7 @@ export function checkLaw(law: Law): void {
       dt: graph.make('load', [], 8),
       parameter: (parameter, index) => graph.make('load', [], 16 + 8 * indexOfParameter(law, parameter) + index),
       column: () => leaf(100),
+      ownBit: () => 1,
       noise: (seed, channel) => graph.make('noise', [seed], channel),
     });
     const formulas = [law.force, law.acceleration, law.torque].flatMap((formula) =>

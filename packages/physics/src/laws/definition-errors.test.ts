@@ -100,7 +100,7 @@ const FORCES: Readonly<Record<string, readonly [act: () => unknown, sentence: Re
   ],
   'asks whether the body has a number': [
     withForce(({ has }) => has(3 as never)),
-    /must be a component, such as QuadraticDrag, got 3/,
+    /has\(component\) must be a component, such as COMPONENTS\.QuadraticDrag or one made by defineComponent, got 3/,
   ],
   'follows one operation with too many': [
     withForce(({ velocity }) => Array.from({ length: 501 }).reduce((v: VectorSymbol) => v.add(velocity), velocity)),
@@ -136,7 +136,7 @@ const OPTIONS: Readonly<Record<string, readonly [act: () => unknown, sentence: R
   'a force that is no function': [() => define({ force: 3 }), /"lift of a wing", force must be a function, got 3/],
   'a component that is none': [
     () => define({ reads: { k: 3 }, force: velocity }),
-    /lift of a wing\.reads must be a component, such as QuadraticDrag, got 3/,
+    /lift of a wing\.reads must be a component, such as COMPONENTS\.QuadraticDrag or one .*, got 3/,
   ],
   'a name that every law has': [
     () => define({ reads: { mass: COMPONENTS.Charge }, force: velocity }),

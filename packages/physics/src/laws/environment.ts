@@ -1,4 +1,4 @@
-import type { ComponentName } from '../components/all.ts';
+import type { ComponentSpec } from '../components/define.ts';
 import type { Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
 import type { Node } from './node.ts';
@@ -22,7 +22,9 @@ export interface Environment {
   /** The change of velocity over a duration, in a stage of a scheme. */
   kick?(position: Axes, velocity: Axes, duration: Node, stage: StageData): Axes;
   /** Whether no entity of the world has one of these components: then code for them is left out. */
-  isAbsent?(name: ComponentName): boolean;
+  isAbsent?(component: ColumnData['component']): boolean;
+  /** The bit of a component of the user in the second word of membership. */
+  ownBit(component: ComponentSpec): number;
   /** Noise from the seed of the law. */
   noise(seed: Node, channel: number): Node;
 }

@@ -1,6 +1,5 @@
 // Lowers expressions to arithmetic: vectors become components, and names become columns.
 
-import type { ComponentName } from '../components/all.ts';
 import { bitInWord, isInFirstWord } from '../components/membership.ts';
 import type { Parameter } from '../world/types.ts';
 import type { ColumnData } from './body-symbols.ts';
@@ -65,7 +64,7 @@ export class Lowering {
       case 'sum':
         return this.sum(data as SumScope, this.scalar(args[0]));
       case 'has':
-        return this.#has(data as ComponentName);
+        return this.#has(data as ColumnData['component']);
       case 'noise':
         return environment.noise(this.scalar(args[0]), data as number);
       case 'component':
@@ -103,14 +102,16 @@ export class Lowering {
       : this.graph.make('pow', [node, this.scalar(exponent)]);
   }
 
-  #has(name: ComponentName): Node {
-    const word = isInFirstWord(name) ? 'members' : 'moreMembers';
-    return this.graph.make('has', [this.environment.column('', word, 'u32')], bitInWord(name));
+  #has(component: ColumnData['component']): Node {
+    const isOwn = typeof component !== 'string';
+    const word = !isOwn && isInFirstWord(component) ? 'members' : 'moreMembers';
+    const bit = isOwn ? this.environment.ownBit(component) : bitInWord(component);
+    return this.graph.make('has', [this.environment.column('', word, 'u32')], bit);
   }
 
   /** Whether a condition asks for a component that no entity has. */
   isNever({ op, data }: Expression): boolean {
-    return op === 'has' && this.environment.isAbsent?.(data as ComponentName) === true;
+    return op === 'has' && this.environment.isAbsent?.(data as ColumnData['component']) === true;
   }
 
   /** Sums a term over the rows of a table. */

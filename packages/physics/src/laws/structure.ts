@@ -37,6 +37,7 @@ export function structureOf(parameters: readonly Parameter[], formulas: Formulas
   const dataOf = ({ op, data }: Expression): string => {
     if (data === undefined) return '';
     if (op === 'parameter') return String(parameters.indexOf(data as Parameter));
+    if (op === 'has') return nameOf(data as ColumnData['component']);
     if (op === 'column') return `${nameOf((data as ColumnData).component)}.${(data as ColumnData).field}`;
     if (op === 'row') return `${numberOf(scopes, (data as RowData).scope)}.${(data as RowData).index}`;
     if (op === 'kick') return JSON.stringify(data);
@@ -67,13 +68,13 @@ const STATE: Readonly<Record<string, readonly ComponentName[]>> = {
 
 type Motion = Pick<Law, 'force' | 'acceleration' | 'torque'>;
 
-/** Returns the components whose columns the expressions of a law read. */
+/** Returns the components whose columns the expressions of a law read, and those of which they ask whether a body has them. */
 export function columnsRead(law: Motion): ComponentName[] {
   const names = new Set<ComponentName>();
   for (const { op, data } of expressionsOf(law)) {
     for (const name of STATE[op] ?? []) names.add(name);
-    if (op !== 'column') continue;
-    const { component } = data as ColumnData;
+    if (op !== 'column' && op !== 'has') continue;
+    const component = op === 'has' ? (data as ColumnData['component']) : (data as ColumnData).component;
     if (typeof component === 'string') names.add(component);
   }
   if (law.acceleration !== undefined) names.add('Mass');

@@ -1,5 +1,5 @@
 // Saves the entities of bitECS and restores them through bitECS itself, so that queries and observers are updated.
-import { addComponent, entityExists, removeComponent } from 'bitecs';
+import { addComponent, type ComponentRef, entityExists, removeComponent } from 'bitecs';
 import { COMPONENT_NAMES } from '../components/all.ts';
 import { bitInWord, isInFirstWord, type MemberBits } from '../components/membership.ts';
 import {
@@ -97,12 +97,17 @@ function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt:
   }
 }
 
-/** Handles each entity separately, so that an observer that throws does not prevent the others. */
+/** Handles each change separately, so that an observer that throws does not prevent the others. */
 function changeComponents(world: PhysicsWorld, eid: number, saved: MemberBits, attempt: Attempt): void {
+  const change = (component: ComponentRef, belonged: boolean, belongs: boolean) => {
+    if (belonged !== belongs) attempt(() => (belongs ? addComponent : removeComponent)(world, eid, component));
+  };
   for (const name of COMPONENT_NAMES) {
     const belongs = ((isInFirstWord(name) ? saved.first : saved.second) & bitInWord(name)) !== 0;
-    if (isOpen(world, eid, name) === belongs) continue;
-    if (belongs) attempt(() => addComponent(world, eid, world.components[name]));
-    else attempt(() => removeComponent(world, eid, world.components[name]));
+    change(world.components[name], isOpen(world, eid, name), belongs);
+  }
+  const { moreMembers, ownComponents } = world.internal;
+  for (const { bit, columns } of ownComponents.values()) {
+    change(columns, (moreMembers[eid] & bit) !== 0, (saved.second & bit) !== 0);
   }
 }

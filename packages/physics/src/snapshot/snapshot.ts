@@ -38,9 +38,9 @@ export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
 
 /**
  * Restores the world: the next steps are bitwise equal to those after the snapshot. Bodies created since are removed,
- * bodies removed since are created again, and observers are called; a recreated body has its physics components only.
- * References, emitters and contact lists obtained since are invalid. Queries may list bodies in another order;
- * `bodies(world)` does not.
+ * bodies removed since are created again, and observers are called; a recreated body has the components of the package
+ * and those that the world was created with. References, emitters and contact lists obtained since are invalid. Queries
+ * may list bodies in another order; `bodies(world)` does not.
  * @throws PhysicsError E_TYPE for a snapshot of another world, E_REENTRANT, E_DESTROYED: nothing is changed
  * @throws AggregateError of exceptions of observers, after everything is restored
  */

@@ -2,7 +2,7 @@
 import type { ManyInput } from '../bodies/many.ts';
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
-import { assertUsable } from '../ecs/guards.ts';
+import { assertOutsideStep, assertUsable } from '../ecs/guards.ts';
 import { type Bounds, checkNumber, checkObject } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -62,6 +62,7 @@ export function spawnNetwork(
   { damping = 0, breakForce = 0, components }: SpringOptions,
 ): Network {
   assertUsable(world);
+  assertOutsideStep(world, 'createRope, createCloth and createSoftBody', 'Call it after the step.');
   checkNumber(damping, 'damping', { min: 0, max: 1e30 });
   checkNumber(breakForce, 'breakForce', { min: 0, max: 1e30 });
   if (components !== undefined) checkObject(components, 'components');

@@ -60,6 +60,17 @@ describe('a rope', () => {
     expect(maxStrain(world)).toBeLessThan(1e-9);
   });
 
+  test('is not created inside a step, which names the functions that make networks', () => {
+    const world = network();
+    world.phases.finish.push(() => {
+      expect(() => createRope(world, { from: {}, to: { x: 8 }, nodes: 3, mass: 1 })).toThrow(
+        /E_REENTRANT: createRope, createCloth and createSoftBody cannot run inside a step\. Call it after the step/,
+      );
+    });
+    step(world, 0.1);
+    expect(world.lastId).toBe(0);
+  });
+
   test.each([
     ['f32', false],
     ['f32', true],

@@ -260,6 +260,8 @@ export type FieldValues = Record<string, number>;
 export interface OwnColumns {
   readonly columns: Readonly<Record<string, { [row: number]: number; readonly length: number }>>;
   readonly addresses: Readonly<Record<string, number>>;
+  /** Its bit in the second word of membership; 0 if none was left. */
+  readonly bit: number;
 }
 
 export type OwnComponents = ReadonlyMap<ComponentSpec, OwnColumns>;

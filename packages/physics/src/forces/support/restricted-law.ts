@@ -76,7 +76,7 @@ export function restrictedLaw(force: LawForce, limits: CheckedRestrictions): Law
 }
 
 function groupConditions({ group }: CheckedRestrictions): Condition[] {
-  return group.map((name) => new Condition('has', [], name));
+  return group.map((component) => new Condition('has', [], component));
 }
 
 function regionConditions({ box, ball }: CheckedRestrictions, added: LimitParameters): Condition[] {

@@ -1,7 +1,9 @@
 // The validated limits of a restricted force.
 import { COMPONENT_NAMES, type ComponentName } from '../../components/all.ts';
+import { type ComponentSpec, isComponent } from '../../components/define.ts';
 import { describe, PhysicsError } from '../../errors/physics-error.ts';
-import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
+import { checkKeys, checkNumber, checkVector, mustBe, type Vector, type VectorInput } from '../../errors/validate.ts';
+import { componentName } from '../../laws/body-symbols.ts';
 import { LENGTH_BOUNDS, POSITION_BOUNDS } from './bounds.ts';
 
 /** A box, or a ball (a disc in 2D). Omitted axes of a box are unlimited. */
@@ -17,9 +19,15 @@ interface Ball {
   readonly radius: number;
 }
 
+/** A component of the package by its name, one of your own by its definition. */
+type GroupComponent = ComponentName | ComponentSpec;
+
 export interface Restrictions {
-  /** Only bodies with this component, or with all of these. Default all bodies. */
-  readonly group?: ComponentName | readonly ComponentName[];
+  /**
+   * Only bodies with this component, or with all of these: names such as 'Charge', or components that `defineComponent`
+   * made and the world was created with. Default all bodies.
+   */
+  readonly group?: GroupComponent | readonly GroupComponent[];
   /** Only bodies whose centre is in this region. Default everywhere. */
   readonly region?: Region;
   /**
@@ -37,7 +45,7 @@ export interface Restrictions {
 /** Validated limits. */
 export interface CheckedRestrictions {
   /** The required components: none for all bodies. */
-  readonly group: readonly ComponentName[];
+  readonly group: readonly GroupComponent[];
   readonly box?: { readonly min: Vector; readonly max: Vector };
   readonly ball?: { readonly centre: Vector; readonly radius: number };
   /** Time limits, s; -∞ and ∞ if unlimited. */
@@ -68,17 +76,28 @@ function withRounding(time: number): number {
   return time - ROUNDING * Math.abs(time);
 }
 
-function checkGroup(group: Restrictions['group'] = []): readonly ComponentName[] {
-  const names = typeof group === 'string' ? [group] : [...group];
-  for (const name of names) {
-    if (COMPONENT_NAMES.includes(name)) continue;
-    throw new PhysicsError('E_UNKNOWN', `restrictForce.group: ${describe(name)} is not a component.`, {
-      field: 'group',
-      value: name,
-      hint: `Valid names: ${COMPONENT_NAMES.join(', ')}.`,
-    });
+function checkGroup(group: Restrictions['group'] = []): readonly GroupComponent[] {
+  return Array.isArray(group) ? group.map(checkMember) : [checkMember(group)];
+}
+
+function checkMember(member: unknown): GroupComponent {
+  if (isComponent(member)) return componentName(member) ?? member;
+  if (typeof member !== 'string') {
+    const expected = 'the name of a component, a component made by defineComponent, or a list of these';
+    throw mustBe(expected, member, 'restrictForce.group');
   }
-  return names;
+  const name = COMPONENT_NAMES.find((known) => known === member);
+  if (name !== undefined) return name;
+  throw new PhysicsError('E_UNKNOWN', `restrictForce.group: ${describe(member)} is not a component.`, {
+    field: 'group',
+    value: member,
+    hint: `Valid names: ${COMPONENT_NAMES.join(', ')}.`,
+  });
+}
+
+/** The components of the package that the group asks for. */
+export function namesInGroup({ group }: CheckedRestrictions): ComponentName[] {
+  return group.filter((component) => typeof component === 'string');
 }
 
 function checkBall(region: Ball): NonNullable<CheckedRestrictions['ball']> {
