@@ -23,7 +23,7 @@ export { listContactEvents } from '../solver/2d/contact-events';
 export { stopFastBodies } from '../solver/2d/continuous';
 export { islandAt, labelIslands, updateSleep } from '../solver/2d/islands';
 export { applyRestitution } from '../impacts/2d/restitution';
-export { listJoints } from '../joints/2d/list-joints';
+export { hasNewCollisions, listJoints } from '../joints/2d/list-joints';
 export { prepareJoints } from '../joints/2d/prepare-joints';
 export { noteSettings } from '../joints/2d/wake-joints';
 export { startJoints } from '../joints/2d/start-joints';

@@ -136,7 +136,7 @@ export const jointTable = resource((world): JointTable => {
     Word.projected,
   ])
     take(word, 4);
-  for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds]) take(word, 4);
+  for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds, Word.collided]) take(word, 4);
   return { at, words, entityList: emptyEntityList() };
 });
 
@@ -161,7 +161,8 @@ export function refreshJoints(world: PhysicsWorld): void {
 
 function listJoints(world: PhysicsWorld, table: JointTable): boolean {
   const { entityList, words } = table;
-  if (!refreshEntityList(world, entityList, 'Joint', 0)) return false;
+  const isNew = refreshEntityList(world, entityList, 'Joint', 0);
+  if (!isNew && rigidKernels(world).hasNewCollisions(table.at) === 0) return false;
   words[Word.ids] = entityList.ids;
   words[Word.count] = entityList.count;
   rigidKernels(world).listJoints(table.at);

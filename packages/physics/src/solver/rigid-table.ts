@@ -127,6 +127,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   for (const word of [
     Word.flags,
     Word.bodyGenerations,
+    Word.filters,
     Word.usedColors,
     Word.awake,
     Word.crowded,

@@ -38,6 +38,8 @@ export class JointTable {
   // Ids of all joints, ascending.
   ids: usize;
   count: i32;
+  // Whether their bodies collided when they were listed.
+  collided: usize;
   // The joints of this step that are solved one by one, class JointWork, and their rows: those of trees in the order of the
   // trees, then the others.
   works: usize;

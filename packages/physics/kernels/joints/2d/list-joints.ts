@@ -6,7 +6,7 @@ import { keyAt, sortKeys } from '../../collision/broad-phase/2d/sort-keys';
 import { JointTable } from './joint-table';
 
 // Lists the joints of which a body was removed, and the pairs that do not collide. Called before a step if joints or
-// bodies were added or removed.
+// bodies were added or removed, or `collide` changed.
 export function listJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
@@ -18,6 +18,7 @@ export function listJoints(table: usize): void {
     const id = word(t.ids, i);
     const a = word(t.a, id);
     const b = word(t.b, id);
+    putWord(t.collided, i, word(t.collide, id));
     const hasA = a == 0 || hasGeneration(rigid, a, word(t.aGeneration, id));
     if (!hasA || !hasGeneration(rigid, b, word(t.bGeneration, id))) {
       putWord(t.orphans, t.orphanCount++, id);
@@ -31,6 +32,21 @@ export function listJoints(table: usize): void {
   sortKeys(t.pairs, t.spare, t.pairCount);
   rigid.jointPairs = t.pairs;
   rigid.jointPairCount = t.pairCount;
+}
+
+// Whether `collide` of a joint has changed since the joints were listed; then its bodies wake.
+export function hasNewCollisions(table: usize): bool {
+  const t = changetype<JointTable>(table);
+  const rigid = changetype<RigidTable>(t.rigid);
+  let any = false;
+  for (let i = 0; i < t.count; i++) {
+    const id = word(t.ids, i);
+    if (word(t.collide, id) == word(t.collided, i)) continue;
+    any = true;
+    wakeLater(rigid, word(t.a, id));
+    wakeLater(rigid, word(t.b, id));
+  }
+  return any;
 }
 
 // Bodies that sleep wake when a joint of theirs is gone.

@@ -39,3 +39,13 @@ function readColliderFlags(t: RigidTable, row: i32): u32 {
   if ((word(t.frictionCombine, row) | word(t.restitutionCombine, row)) != 0) flags |= COMBINES;
   return flags;
 }
+
+// What tells whether layers, mask or group have changed. Odd factors: a change of one of them changes the sum.
+// @ts-ignore: decorator
+@inline export function filterOf(t: RigidTable, row: i32): i32 {
+  return word(t.layers, row) + word(t.masks, row) * MASK_FACTOR + <i32>get(t.group, row) * GROUP_FACTOR;
+}
+
+// Of the golden ratio and of the plastic number, so that changes of two of them hardly cancel.
+const MASK_FACTOR: i32 = 0x9e3779b1;
+const GROUP_FACTOR: i32 = 0xc13fa9a9;

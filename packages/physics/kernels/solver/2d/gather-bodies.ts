@@ -30,7 +30,7 @@ import {
   stateOf,
   word,
 } from './body';
-import { colliderFlags, findColliderFlags } from './collider-flags';
+import { colliderFlags, filterOf, findColliderFlags } from './collider-flags';
 import { wakeIsland, wasDisturbed } from './islands';
 import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
@@ -69,10 +69,8 @@ function classifyParts(t: RigidTable): void {
     const kind = kindOfPart(t, row);
     const body = kind == 0 ? 0 : word(t.attachmentBody, row);
     if (word(t.owners, row) != body) leaveBody(t, row);
-    const isNew = body != 0 && word(t.owners, row) == 0;
     putWord(t.owners, row, body);
-    classify(t, row, kind);
-    if (isNew && (flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
+    if (classify(t, row, kind) && (flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
   }
 }
 
@@ -125,11 +123,12 @@ function isUnchanged(c: Columns, t: RigidTable, row: i32): bool {
   return get(t.angle, row) == sleeperOf(t, row).angle && !hasNewCollider(t, row);
 }
 
-function classify(t: RigidTable, row: i32, kind: u32): void {
+// Returns whether the row has another body than in the last step, or one that collides otherwise.
+function classify(t: RigidTable, row: i32, kind: u32): bool {
   if ((flagsOf(t, row) & PART) != 0 && (kind & PART) == 0) leaveBody(t, row);
   const before = flagsOf(t, row);
   const same = kind != 0 && word(t.bodyGenerations, row) == word(t.generations, row);
-  const changed = !same || ((before ^ kind) & KINDS) != 0;
+  const changed = !same || ((before ^ kind) & KINDS) != 0 || ((kind & COLLIDES) != 0 && hasNewFilter(t, row));
   if (
     (before & (ASLEEP | PART)) == ASLEEP &&
     (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row))
@@ -138,13 +137,21 @@ function classify(t: RigidTable, row: i32, kind: u32): void {
   if ((kind & SENSOR) != 0) t.sensorCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   putWord(t.bodyGenerations, row, word(t.generations, row));
-  if (!changed || (before | kind) == 0) return;
+  if (!changed || (before | kind) == 0) return false;
+  putWord(t.filters, row, filterOf(t, row));
   invalidateTrees(t, before);
   invalidateTrees(t, kind);
   forgetBox(t, row);
   // What an earlier body of this row touched does not tell whether this one flies.
   putWord(t.usedColors, row, 0);
   sleeperOf(t, row).stillFor = 0;
+  return true;
+}
+
+// Pairs whose boxes overlap already are found anew when layers, masks or groups change.
+// @ts-ignore: decorator
+@inline function hasNewFilter(t: RigidTable, row: i32): bool {
+  return word(t.filters, row) != filterOf(t, row);
 }
 
 // The tree that such a body is in, or should be in, is made anew.

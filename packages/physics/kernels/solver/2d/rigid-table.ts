@@ -77,12 +77,14 @@ export class RigidTable {
   owners: usize;
   firstParts: usize;
   nextParts: usize;
-  // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation these belong to, colors in use.
+  // By row: class BodyState, class BodyPose, flags (body.ts), fat box, the generation and the filter (collider-flags.ts) these
+  // belong to, colors in use.
   states: usize;
   poses: usize;
   flags: usize;
   boxes: usize;
   bodyGenerations: usize;
+  filters: usize;
   usedColors: usize;
   // By row, of a body that is fast: the fraction of the step at which it was stopped, f32.
   stops: usize;

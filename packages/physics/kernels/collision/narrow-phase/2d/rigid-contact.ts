@@ -24,13 +24,15 @@ export class RigidContact {
   rollingResistance: real;
   tangentSpeed: real;
   rollingImpulse: real;
-  // Poses when the manifold was found: rotations, and the position of b from a.
+  // Poses when the manifold was found: rotations, and the position of b from a. Then its unit normal.
   ac: real;
   as: real;
   bc: real;
   bs: real;
   dx: real;
   dy: real;
+  foundNx: real;
+  foundNy: real;
   // Unit normal from a to b.
   nx: real;
   ny: real;

@@ -2,10 +2,11 @@
 //
 // Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
 // one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed, or touch with a
-// single point: the other corner of a box that tips over was at least that far away). Only its separations change, by the
-// same formula as within sub-steps. Source, but for the rule of single points: Box2D 3.2 (physics_world.c).
+// single point: the other corner of a box that tips over was at least that far away). Only its normal and its separations
+// change, these by the same formula as within sub-steps. Source, but for the normal and the rule of single points: Box2D 3.2
+// (physics_world.c).
 //
-//   separation = that found + n · (movement of b's anchor - movement of a's)
+//   separation = that found + n · (movement of b's anchor - movement of a's)       n turns with the heavier body
 import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
@@ -281,8 +282,8 @@ function takePoints(t: RigidTable, contact: RigidContact, m: Manifold): void {
   const n1 = second.normalImpulse;
   const t1 = second.tangentImpulse;
   contact.count = <i16>m.count;
-  contact.nx = m.nx;
-  contact.ny = m.ny;
+  contact.foundNx = contact.nx = m.nx;
+  contact.foundNy = contact.ny = m.ny;
   contact.id0 = <u16>m.id0;
   contact.id1 = <u16>m.id1;
   takePoint(first, m.x0, m.y0, m.separation0);
@@ -328,18 +329,23 @@ function moveToBodies(t: RigidTable, contact: RigidContact, m: Manifold): void {
   }
 }
 
-// Anchors and separations at the present poses.
+// Normal, anchors and separations at the present poses.
 function moveAnchors(t: RigidTable, contact: RigidContact): void {
   moveWith(contact, poseOf(t, contact.a), poseOf(t, contact.b), poseOf(t, contact.bodyA), poseOf(t, contact.bodyB));
 }
 
-// The shapes turn as their bodies do.
+// The shapes turn as their bodies do; the heavier body turns less by itself.
 // @ts-ignore: decorator
 @inline function moveWith(contact: RigidContact, a: BodyPose, b: BodyPose, bodyA: BodyPose, bodyB: BodyPose): void {
   const cosA = a.c * contact.ac + a.s * contact.as;
   const sinA = a.s * contact.ac - a.c * contact.as;
   const cosB = b.c * contact.bc + b.s * contact.bs;
   const sinB = b.s * contact.bc - b.c * contact.bs;
+  const turnsWithA = bodyA.inverseMass <= bodyB.inverseMass;
+  const c = turnsWithA ? cosA : cosB;
+  const s = turnsWithA ? sinA : sinB;
+  contact.nx = c * contact.foundNx - s * contact.foundNy;
+  contact.ny = s * contact.foundNx + c * contact.foundNy;
   const dx = bodyB.x - bodyA.x;
   const dy = bodyB.y - bodyA.y;
   for (let i = 0; i < contact.count; i++) {
