@@ -4,13 +4,16 @@ import {
   angularDrag,
   angularMomentum,
   applyImpulse,
+  box,
   constantTorque,
   createPhysicsWorld,
   defineForce,
   explode,
   momentum,
   PhysicsError,
+  rigidBodies,
   spawn,
+  spawnCompound,
 } from '../index.ts';
 
 describe('impulses', () => {
@@ -39,6 +42,32 @@ describe('impulses', () => {
     expect(world.components.AngularVelocity.z[straight]).toBe(0);
     expect(() => applyImpulse(world, 4, {})).toThrow(/E_STALE/);
     expect(() => applyImpulse(world, straight, { x: Number.NaN })).toThrow(PhysicsError);
+  });
+
+  test('on a part act on its body, and turn it about the centre of mass of all', () => {
+    const world = createPhysicsWorld({ preset: rigidBodies });
+    const parts = [0, 1].map((x) => ({ shape: box(1, 1), x, density: 1 }));
+    const { body, parts: ids } = spawnCompound(world, { parts });
+    const { Velocity, AngularVelocity, Inertia } = world.components;
+    applyImpulse(world, ids[1], { x: 4 });
+    expect(Velocity.x[body]).toBe(2);
+    expect(AngularVelocity.z[body]).toBe(0);
+    applyImpulse(world, ids[1], { y: 4 }, { x: 1 });
+    expect(Velocity.y[body]).toBe(2);
+    // The centre is at x = 0.5.
+    expect(AngularVelocity.z[body]).toBeCloseTo((0.5 * 4) / Inertia.value[body], 12);
+  });
+
+  test('and explosions leave kinematic bodies as they are', () => {
+    const world = createPhysicsWorld({ preset: rigidBodies });
+    const collider = { shape: box(2, 0.2), density: 100 };
+    const lift = spawn(world, { position: { y: 1 }, velocity: { y: 0.5 }, kinematic: {}, collider });
+    const plank = spawn(world, { position: { y: -1 }, collider });
+    applyImpulse(world, lift, { x: 100 });
+    explode(world, { impulse: 400, radius: 3 });
+    const { Mass, Velocity } = world.components;
+    expect([Velocity.x[lift], Velocity.y[lift]]).toEqual([0, 0.5]);
+    expect(Velocity.y[plank]).toBeCloseTo((-400 * (1 - 1 / 3)) / Mass.value[plank], 12);
   });
 
   test('an explosion pushes outwards, less with distance, and has no effect beyond its radius', () => {

@@ -7,29 +7,31 @@
 // An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1. The law of
 // the explosion is a game model, not the blast wave of Sedov (1946).
 
+import { bitOf } from '../components/membership.ts';
 import { rotationKernels } from '../dynamics/rotation-kernels.ts';
-import { assertBody } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { ANY, LENGTH_BOUNDS, POSITION_BOUNDS } from '../forces/support/bounds.ts';
 import { forceKernels } from '../forces/support/force-kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { bodyOf } from './parts.ts';
 
 /**
  * Applies an impulse through the centre of mass of a body or at a point, which also changes the spin of a body with
- * Inertia or an InertiaTensor, and AngularVelocity. A body without mass is not moved.
+ * Inertia or an InertiaTensor, and AngularVelocity. Of a part it acts on its body. A body that is kinematic or without mass is
+ * not moved.
  * @param impulse N s
  * @param point point of application, m, in world coordinates
  * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
-export function applyImpulse(world: PhysicsWorld, eid: number, impulse: VectorInput, point?: VectorInput): void {
-  assertBody(world, eid);
+export function applyImpulse(world: PhysicsWorld, id: number, impulse: VectorInput, point?: VectorInput): void {
+  const eid = bodyOf(world, id);
   const j = checkVector(impulse, 'impulse', ANY);
   const p = point === undefined ? undefined : checkVector(point, 'point', POSITION_BOUNDS);
   const { Mass, Velocity: v, Position, Inertia, AngularVelocity: w } = world.components;
   const mass = Mass.value[eid];
-  if (!(mass > 0)) return;
+  if (!(mass > 0) || isOpen(world, eid, 'Kinematic')) return;
   const solid = world.dimensions === 3;
   v.x[eid] += j.x / mass;
   v.y[eid] += j.y / mass;
@@ -62,8 +64,8 @@ export interface ExplosionOptions {
 }
 
 /**
- * Accelerates every body with mass within the radius outwards. A body exactly at the centre has no direction and is not
- * moved.
+ * Accelerates every body with mass within the radius outwards, unless it is kinematic. A body exactly at the centre has no
+ * direction and is not moved.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
 export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
@@ -74,5 +76,5 @@ export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
   const radius = checkNumber(options.radius, 'explode.radius', LENGTH_BOUNDS);
   const falloff = checkWhole(options.falloff ?? 1, 'explode.falloff', 0, 16);
   const depth = world.dimensions === 3 ? z : 0;
-  forceKernels(world).blast(x, y, depth, impulse, radius, falloff, 0, world.lastId + 1);
+  forceKernels(world).blast(x, y, depth, impulse, radius, falloff, bitOf('Kinematic'), world.lastId + 1);
 }
