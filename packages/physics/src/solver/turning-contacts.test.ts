@@ -49,3 +49,24 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     expect(speed() - before).toBeCloseTo(G * (Math.sin(0.19) - 0.1 * Math.cos(0.19)), 2);
   });
 });
+
+describe.each([0.03, 0.5])('a disc of radius %d m that flies against', (radius) => {
+  it.each(['f32', 'f64'] as const)(
+    'a floor gets the moment of friction by its radius, in %s: I Δω = r m Δv',
+    (precision) => {
+      const world = rigidWorld({ precision });
+      const collider = { friction: 0.2, restitution: 1 };
+      spawn(world, { position: { y: -0.5 }, collider: { ...collider, shape: box(40, 1) } });
+      const position = { y: 1.5 + radius };
+      const spin = { velocity: { x: 1 }, angularVelocity: 30 };
+      const ball = spawn(world, { position, ...spin, collider: { ...collider, radius, density: 1 } });
+      const { AngularVelocity, Inertia, Mass, Velocity } = world.components;
+      run(world, 0.8);
+      expect(Velocity.y[ball]).toBeGreaterThan(0);
+      const moment = Inertia.value[ball] * (AngularVelocity.z[ball] - 30);
+      const momentum = Mass.value[ball] * (Velocity.x[ball] - 1);
+      expect(Math.abs(momentum)).toBeGreaterThan(0);
+      expect(moment / momentum / radius).toBeCloseTo(1, 4);
+    },
+  );
+});
