@@ -54,8 +54,12 @@ export function createEmitter(world: PhysicsWorld, options: EmitterOptions): Emi
 const IN_STEP =
   'Create it before, without `rate`, and call burst(emitter, count, { position }) here; or create it after the step.';
 
+/** A particle is a body of the world. */
+const WORLD_CAPACITY =
+  'The most is the capacity of the world: for more particles create the world with a larger `capacity`.';
+
 function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
-  const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity);
+  const capacity = checkWhole(options.capacity, 'capacity', 1, world.capacity, WORLD_CAPACITY);
   checkChoice(options.whenFull ?? 'skip', 'whenFull', ['skip', 'oldest']);
   checkFollows(options);
   const parameters = markImmutable(parametersOf(options));

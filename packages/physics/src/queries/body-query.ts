@@ -158,14 +158,19 @@ export interface Probe {
   meetsWall(): number;
 }
 
-/** Calls `visit` with each body that a query finds, except those that it ignores and their parts. */
+/**
+ * Calls `visit` with each body that a query finds, except those that it ignores and their parts, and entities of emitters
+ * that wait to be particles, which alone have a collider without a radius.
+ */
 export function visitBodies(
   { world, ignored }: RunningQuery,
   next: (row: number) => number,
   visit: (row: number) => void,
 ): void {
-  const { body } = world.components.Attachment;
+  const { Attachment, Collider } = world.components;
+  const { body } = Attachment;
   for (let row = next(1); row > 0; row = next(row + 1)) {
+    if (Collider.radius[row] === 0) continue;
     if (ignored.length === 0 || !(ignored.includes(row) || ignored.includes(body[row]))) visit(row);
   }
 }

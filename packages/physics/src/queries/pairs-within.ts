@@ -6,6 +6,7 @@
 // Spatial Hashing for Collision Detection of Deformable Objects (2003).
 import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
+import { withoutWaiting } from '../emitters/waiting.ts';
 import { checkNumber, mustBe } from '../errors/validate.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -68,7 +69,7 @@ function bucketsFor(capacity: number): Buckets {
 
 /**
  * Returns all pairs of bodies whose positions are at most a distance apart, in two dimensions or three. Takes 0.2 µs a body
- * where each is near seven others, and 0.4 µs in three dimensions.
+ * where each is near seven others, and 0.4 µs in three dimensions. Of the entities of an emitter only living particles count.
  * @param distance m
  * @param among entity ids of bodies, ascending, of which the pairs are; default all bodies
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_DESTROYED
@@ -76,7 +77,7 @@ function bucketsFor(capacity: number): Buckets {
 export function pairsWithin(world: PhysicsWorld, distance: number, among?: ArrayLike<number>): BodyPairs {
   assertUsable(world);
   checkNumber(distance, 'distance', { above: 0, max: 1e12 });
-  const { ids, count } = checkIds(world, among);
+  const { ids, count } = withoutWaiting(world, checkIds(world, among));
   const memory = pairMemory(world);
   if (memory.buckets.ids.length < count) Object.assign(memory.buckets, bucketsFor(2 * count));
   const size = Math.max(distance * WIDER, farthest(world, ids, count) * LEAST_CELL);

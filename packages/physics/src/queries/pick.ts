@@ -3,6 +3,7 @@ import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt } from '../collision/shapes/shape-pool.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
+import { withoutWaiting } from '../emitters/waiting.ts';
 import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
@@ -16,7 +17,8 @@ export interface PickOptions {
 
 /**
  * Returns the body at a point: of the bodies whose collider or drawn size contains it, the one with the nearest centre;
- * of equally near bodies, the one with the smaller id. Includes bodies created since the last step. Tests every body.
+ * of equally near bodies, the one with the smaller id. Includes bodies created since the last step, and of the entities of an
+ * emitter its living particles. Tests every body.
  * @param point metres; in 2D only x and y are used
  * @returns its entity id, or 0 if there is none
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
@@ -27,7 +29,7 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
   checkKeys(options, 'bodyAt', ['margin']);
   const margin = checkNumber(options.margin ?? 0, 'margin', { min: 0 });
   placeParts(world);
-  const { ids, count } = bodies(world);
+  const { ids, count } = withoutWaiting(world, bodies(world));
   const { Position, Collider, Appearance } = world.components;
   const depth = world.dimensions === 3 ? 1 : 0;
   let nearest = Infinity;
