@@ -221,6 +221,36 @@ export const lab = {
     return { positions, marks };
   },
 
+  /**
+   * Rims of 2 pixels: the light of a white square of 80 pixels, turned by `angle`, and the darkest and the brightest byte
+   * in the middle of the rim of a dark grey disc with a mark.
+   */
+  async rims(backend: Backend, angle: number) {
+    const stage = await Stage.open(backend);
+    const source = createTestBodySource(1024);
+    const layer = createBodyLayer({ source, rimWidth: 2 });
+    stage.world.addChild(layer.container);
+    source.show([1]);
+    const shoot = (shape: number, color: number) => {
+      place(source, 1, 0, 0, 40, color, angle);
+      source.shape[1] = shape;
+      source.versions.style++;
+      layer.update(1);
+      return stage.shoot();
+    };
+    const square = light(shoot(SHAPES.box, WHITE)).area;
+    const { data, size } = shoot(SHAPES.markedDisc, 0xff404040);
+    let [darkest, brightest] = [255, 0];
+    for (let i = 0; i < size * size; i++) {
+      const fromEdge = 40 - Math.hypot((i % size) + 0.5 - size / 2, Math.floor(i / size) + 0.5 - size / 2);
+      if (fromEdge < 0.5 || fromEdge > 1.5) continue;
+      darkest = Math.min(darkest, data[4 * i]);
+      brightest = Math.max(brightest, data[4 * i]);
+    }
+    stage.close();
+    return { square, darkest, brightest };
+  },
+
   /** Areas in red, green and blue light for bodies that use each rule for colour and radius. */
   async styles(backend: Backend) {
     const stage = await Stage.open(backend);

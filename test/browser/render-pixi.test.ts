@@ -80,6 +80,18 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', HANGS, (backend) =
     expect(faded / areas[2]).toBeCloseTo(0.5, 2);
   });
 
+  it.each([0, 0.4])(
+    'darkens a rim of 2 pixels along the edge of a square, and over the mark of a disc',
+    async (angle) => {
+      const seen = await page.evaluate(([b, a]) => pixiLab.rims(b, a), [backend, angle] as const);
+      // 45 % of the light in the rim; a square with an inscribed disc would have a fifth less.
+      expect(seen.square / (76 ** 2 + 0.45 * (80 ** 2 - 76 ** 2))).toBeCloseTo(1, 2);
+      // 45 % of 64 of 255 all round.
+      expect(Math.abs(seen.darkest - 29)).toBeLessThanOrEqual(1);
+      expect(Math.abs(seen.brightest - 29)).toBeLessThanOrEqual(1);
+    },
+  );
+
   it('draws the shape of each collider, turned by its angle', async () => {
     const seen = await page.evaluate((b) => pixiLab.colliders(b), backend);
     for (const { kind, area, expected, offX, offY } of seen) {

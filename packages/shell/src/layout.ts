@@ -12,7 +12,7 @@ export interface Layout {
   readonly bar: HTMLElement;
   /** Settings, plot and statistics, from top to bottom. */
   readonly sidebar: HTMLElement;
-  /** Margins of the stage that toolbar and sidebar cover. */
+  /** Margins of the stage that toolbar, sidebar and the bar of the recorded time cover. */
   insets(): Insets;
   /** Shows or hides the sidebar; without an argument, toggles it. */
   toggleSidebar(shown?: boolean): void;
@@ -45,7 +45,7 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
       const isBeside = shown && !isBelow && (isSheet || !narrow.matches);
       covered.top = bar.offsetHeight;
       covered.right = isBeside ? sidebar.offsetWidth + 16 : 0;
-      covered.bottom = Math.max(shown && isBelow ? sidebar.offsetHeight : 0, isSheet ? coveredBottom(root) : 0);
+      covered.bottom = Math.max(shown && isBelow ? sidebar.offsetHeight : 0, coveredBottom(root));
       return covered;
     },
     toggleSidebar(wanted = !shown) {
@@ -56,10 +56,14 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
   };
 }
 
-/** Height at the bottom that elements with the attribute `data-covers="bottom"` cover, CSS pixels. */
-function coveredBottom(root: HTMLElement): number {
-  const panels = root.querySelectorAll<HTMLElement>('[data-covers="bottom"]:not([hidden])');
-  // What a style sheet hides covers nothing.
-  const visible = Array.from(panels).filter(({ offsetHeight }) => offsetHeight > 0);
-  return Math.max(0, ...visible.map(({ offsetTop }) => root.offsetHeight - offsetTop));
+/** Height at the bottom that elements with the attribute `data-covers="bottom"` cover, CSS pixels. Makes no garbage. */
+function coveredBottom({ children, offsetHeight }: HTMLElement): number {
+  let covered = 0;
+  for (let i = 0; i < children.length; i++) {
+    const panel = children[i] as HTMLElement;
+    // What a style sheet or the attribute `hidden` hides covers nothing.
+    if (panel.getAttribute('data-covers') !== 'bottom' || panel.offsetHeight === 0) continue;
+    covered = Math.max(covered, offsetHeight - panel.offsetTop);
+  }
+  return covered;
 }

@@ -90,13 +90,15 @@ void main() {
   float r = length(vLocal);
   float distance = vOutline > 0 ? outlineDistance(vLocal * vPixels) : (r - 1.0) * vPixels;
   float cover = inside(distance);
+  // How much of the pixel lies inside of the rim.
+  float core = inside(distance + vRim);
   vec3 rgb = vColor.rgb;
-  if (vRim > 0.0 && vShape != 1) rgb = mix(rgb, 0.45 * rgb, 1.0 - inside(distance + vRim));
   if (vShape == 1) {
     cover *= 1.0 - inside(distance + max((vOutline > 0 ? 0.05 : 0.14) * vPixels, 1.5));
   } else if (vShape == 2) {
     vec2 edge = (abs(vLocal) - 1.0) * vPixels;
     cover = inside(edge.x) * inside(edge.y);
+    core = inside(edge.x + vRim) * inside(edge.y + vRim);
   } else if (vShape == 3) {
     float line = inside(abs(vLocal.y) * vPixels - max(0.07 * vPixels, 0.75)) * inside(-vLocal.x * vPixels);
     float luminance = dot(rgb, vec3(0.299, 0.587, 0.114));
@@ -107,6 +109,7 @@ void main() {
     cover = glow * glow;
   }
   if (cover <= 0.0) discard;
+  if (vRim > 0.0 && vShape != 1) rgb = mix(0.45 * vColor.rgb, rgb, core);
   finalColor = vec4(rgb, vColor.a) * cover;
 }
 `;
@@ -191,13 +194,14 @@ fn mainFragment(in: Varyings) -> @location(0) vec4<f32> {
   var distance = (r - 1.0) * in.pixels;
   if (in.outline > 0) { distance = outlineDistance(in.local * in.pixels, in.outline, in.scale); }
   var cover = inside(distance);
+  var core = inside(distance + in.rim);
   var rgb = in.color.rgb;
-  if (in.rim > 0.0 && in.shape != 1) { rgb = mix(rgb, 0.45 * rgb, 1.0 - inside(distance + in.rim)); }
   if (in.shape == 1) {
     cover *= 1.0 - inside(distance + max(select(0.14, 0.05, in.outline > 0) * in.pixels, 1.5));
   } else if (in.shape == 2) {
     let edge = (abs(in.local) - 1.0) * in.pixels;
     cover = inside(edge.x) * inside(edge.y);
+    core = inside(edge.x + in.rim) * inside(edge.y + in.rim);
   } else if (in.shape == 3) {
     let line = inside(abs(in.local.y) * in.pixels - max(0.07 * in.pixels, 0.75)) * inside(-in.local.x * in.pixels);
     let luminance = dot(rgb, vec3<f32>(0.299, 0.587, 0.114));
@@ -208,6 +212,7 @@ fn mainFragment(in: Varyings) -> @location(0) vec4<f32> {
     cover = glow * glow;
   }
   if (cover <= 0.0) { discard; }
+  if (in.rim > 0.0 && in.shape != 1) { rgb = mix(0.45 * in.color.rgb, rgb, core); }
   return vec4<f32>(rgb, in.color.a) * cover;
 }
 `;
