@@ -1,7 +1,8 @@
-/** The page docs/forces.md, made from the records the laws return and the headers of their files. */
+/** The page docs/forces.md, made from the records the laws return, and the headers and declarations of their files. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { type Force, formulasOf } from '@principia/physics';
 import { LAW_RECORDS, makeLaw } from '../support/law-records.ts';
+import { type LawCall, lawCall, marked, optionTypes } from './law-options.ts';
 
 const source = 'packages/physics/src';
 const folders = ['forces', 'n-body', 'soft-bodies'];
@@ -57,7 +58,7 @@ export function forcePage(): string {
   return [
     '# The forces',
     '',
-    '<!-- Made by `npx vitest run test/docs/forces.test.ts -u` from the records and headers in the source. -->',
+    '<!-- Made by `npx vitest run test/docs/forces.test.ts -u` from the records, headers and declarations in the source. -->',
     '',
     'All force laws of the package, with formulas, units, validity and cost. A function makes the record of a law, and',
     '`world.forces` lists the records of a world. *Energy* marks',
@@ -65,6 +66,9 @@ export function forcePage(): string {
     'Formulas are typeset from the expressions that are compiled. Any force can be kept to some bodies, places or times by',
     '`restrictForce(force, { group, region, from, until })`, where `group` is a component that the bodies have, by its name or one that you defined; one of your own is [an expression](adding-a-force.md). Winds that change are made by `gusts` and `correlatedGusts`; blows by',
     '`applyImpulse` and `explode`.',
+    '',
+    'Each section begins with the call and what it takes; a question mark marks what may be left out. A *vector* is `{ x, y, z }`, of which omitted axes are',
+    'zero. One *over time* is a vector, or a function of the time in seconds that returns one.',
     '',
     '| function | law | components it reads | |',
     '|---|---|---|---|',
@@ -91,16 +95,39 @@ function row(maker: string, file: string): string {
 }
 
 function section({ makers, file, header }: Law): string[] {
-  const parts = makers.flatMap((maker) => ['', `## ${maker}`, '', ...parametersOf(maker), ...formulas(maker)]);
+  const parts = makers.flatMap((maker) => [
+    '',
+    `## ${maker}`,
+    '',
+    `*${example(maker).name}*`,
+    '',
+    ...callAndOptions(callOf(maker, file)),
+    ...formulas(maker),
+  ]);
   return [...parts.slice(1), '```text', header, '```', '', `[${file.replace(/^.*\//, '')}](../${source}/${file})`, ''];
 }
 
-function parametersOf(maker: string): string[] {
-  const { name, parameters = {} } = example(maker);
-  const shown = Object.entries(parameters).map(([key, { unit }]) =>
-    unit === '' ? `\`${key}\`` : `\`${key}\` (${unit})`,
-  );
-  return [`*${name}*${shown.length === 0 ? '' : `. Parameters: ${shown.join(', ')}`}`, ''];
+const types = optionTypes(folders.map((folder) => `${source}/${folder}`));
+
+/** How a function is called that makes forces. */
+export function callOf(maker: string, file: string): LawCall {
+  return lawCall(maker, `${source}/${file}`, types);
+}
+
+function callAndOptions({ call, options }: LawCall): string[] {
+  const rows = options.map((option) => {
+    const cells = [`\`${marked(option)}\``, typeName(option.type), option.meaning];
+    return `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`;
+  });
+  const table = rows.length === 0 ? [] : ['| option | type | |', '|---|---|---|', ...rows, ''];
+  return ['```ts', call, '```', '', ...table];
+}
+
+function typeName(type: string): string {
+  if (type === 'number' || type === 'string') return type;
+  if (type === 'VectorInput') return 'vector';
+  if (type === 'VectorOverTime' || type === 'Wind') return 'vector over time';
+  return `\`${type}\``;
 }
 
 /** Longer formulas are better read in the header. */

@@ -1,7 +1,7 @@
 import { COMPONENT_NAMES, createPhysicsWorld, spawn, step } from '@principia/physics';
 import { expect, test } from 'vitest';
 import { dimensionsOf, LAW_RECORDS, makeLaw } from '../support/law-records.ts';
-import { forcePage, lawFiles } from './force-page.ts';
+import { callOf, forcePage, lawFiles } from './force-page.ts';
 
 test('docs/forces.md says what the source says; `npx vitest run test/docs/forces.test.ts -u` writes it', async () => {
   await expect(forcePage()).toMatchFileSnapshot('../../docs/forces.md');
@@ -14,6 +14,39 @@ test('every law is on the page, with a header that gives its validity or source 
     expect(header, file).toMatch(/Cost/);
     expect(header.split('\n').length, file).toBeGreaterThan(4);
   }
+});
+
+/** The call of a function, wherever it is. */
+function callTo(maker: string) {
+  const file = lawFiles().find(({ makers }) => makers.includes(maker))?.file;
+  return callOf(maker, file ?? maker);
+}
+
+test('the page lists the options of a call, with those of the types that an option type extends', () => {
+  expect(callTo('immersedDrag').call).toBe('immersedDrag({ density, gravity?, level?, flow? })');
+  expect(callTo('wing').call).toMatch(/^wing\(\{ area, lift, drag, position\?, /);
+  expect(callTo('vortex').call).toBe('vortex({ strength, radius, centre?, centreVelocity? })');
+  expect(callTo('addedMass').call).toBe('addedMass({ density, gravity?, level?, flow? }, coefficient?)');
+  expect(callTo('springs').call).toBe('springs()');
+  expect(callTo('uniformGravity')).toEqual({
+    call: 'uniformGravity(acceleration?)',
+    options: [
+      {
+        name: 'acceleration',
+        isOptional: true,
+        type: 'VectorInput',
+        meaning: 'g, m/s²; by default standard gravity downwards',
+      },
+    ],
+  });
+});
+
+test.each(LAW_RECORDS)('every option that $title is given is on the page', ({ maker, args }) => {
+  const names = callTo(maker).options.map(({ name }) => name);
+  const given = args
+    .filter((argument) => typeof argument === 'object')
+    .flatMap((argument) => Object.keys(argument ?? {}));
+  expect([...names, 'x', 'y', 'z']).toEqual(expect.arrayContaining(given));
 });
 
 test.each(LAW_RECORDS)('$title reads components there are, and lets a world without them be', (record) => {

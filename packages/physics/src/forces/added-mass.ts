@@ -50,7 +50,7 @@ const withSurface = /* @__PURE__ */ defineLaw({
 });
 
 /**
- * @param coefficient C
+ * @param coefficient C; default 0.5, that of a sphere
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function addedMass(fluidVolume: FluidVolume, coefficient = 0.5): Force {

@@ -39,12 +39,20 @@ const quadratic = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** Drag proportional to the speed. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Drag proportional to the speed.
+ * @param wind velocity of the medium, m/s; default at rest
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function linearDrag(wind: Wind = {}): Force {
   return linear({ wind });
 }
 
-/** Drag proportional to the square of the speed. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Drag proportional to the square of the speed.
+ * @param wind velocity of the medium, m/s; default at rest
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function quadraticDrag(wind: Wind = {}): Force {
   return quadratic({ wind });
 }

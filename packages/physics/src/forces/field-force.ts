@@ -28,12 +28,20 @@ export interface FieldOptions {
   readonly name?: string;
 }
 
-/** A field of acceleration: it is independent of the mass of a body. @throws PhysicsError E_TYPE, E_UNKNOWN */
+/**
+ * A field of acceleration: it is independent of the mass of a body.
+ * @param field writes the acceleration, m/s², at a position and time to its last argument
+ * @throws PhysicsError E_TYPE, E_UNKNOWN
+ */
 export function accelerationField(field: Field, options: FieldOptions = {}): Force {
   return fieldForce(field, options, true, 'acceleration field', 'F = m a(r, t)');
 }
 
-/** A field of force, for every body with mass. @throws PhysicsError E_TYPE, E_UNKNOWN */
+/**
+ * A field of force, for every body with mass.
+ * @param field writes the force, N, at a position and time to its last argument
+ * @throws PhysicsError E_TYPE, E_UNKNOWN
+ */
 export function forceField(field: Field, options: FieldOptions = {}): Force {
   return fieldForce(field, options, false, 'force field', 'F = f(r, t)');
 }

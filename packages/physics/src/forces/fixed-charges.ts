@@ -51,7 +51,7 @@ const law = /* @__PURE__ */ defineLaw({
 });
 
 /**
- * @param constant k, N m²/C²
+ * @param constant k, N m²/C²; default 8.9875517862e9, that of the vacuum
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
 export function fixedCharges(constant: number = COULOMB_CONSTANT): Force {
