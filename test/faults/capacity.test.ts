@@ -1,5 +1,6 @@
 import {
   clearFaults,
+  createEmitter,
   createPhysicsWorld,
   despawn,
   on,
@@ -43,6 +44,12 @@ describe('capacity', () => {
     expect(ball(world, 0, 1)).toBe(50);
     despawn(world, 7);
     assertWorldAlive(world);
+  });
+
+  it('an emitter of more particles than the capacity is refused, and told of the capacity of the world', () => {
+    const world = groundWorld({ capacity: 100 });
+    const hint = /capacity of the world.*larger `capacity`/;
+    assertRefused(world, () => createEmitter(world, { capacity: 101 }), { code: 'E_RANGE', field: 'capacity', hint });
   });
 
   it('66 a raw entity beyond the capacity is refused its first component', () => {

@@ -311,9 +311,11 @@ it('says that a body without a position goes nowhere', () => {
   spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });
   step(world, 0.01);
   expect(messages()).toBe('');
-  spawn(world, { collider: { shape: box(1, 1), density: 1 } });
+  spawn(world, { rotation: -0.3, collider: { shape: box(40, 1) } });
   step(world, 0.01);
-  expect(messages()).toBe('entity 2 has Mass or Velocity and no Position, so that nothing moves it.');
+  expect(messages()).toBe(
+    'entity 2 has Mass, Velocity or Collider and no Position, so that nothing moves or meets it.',
+  );
 });
 
 it('says when a joint is made beyond its limits, once for each kind', () => {
@@ -336,9 +338,9 @@ it('says that contacts let small bodies sink in, and by how much', () => {
   const rest = (edge: number, options: SoftStepOptions = {}) => {
     const integrator = softStep({ sleepTime: 0, ...options });
     const { world, messages } = listen({ preset: rigidBodies, forces: [uniformGravity({ y: -10 })], integrator });
-    spawn(world, { position: { y: -1 }, collider: { shape: box(2, 2) } });
+    spawn(world, { position: { y: -1 }, collider: { shape: box(2, 2), friction: 0.5 } });
     const [lower, upper] = [0.5, 1.5].map((y) =>
-      spawn(world, { position: { y: y * edge }, collider: { shape: box(edge, edge), density: 1 } }),
+      spawn(world, { position: { y: y * edge }, collider: { shape: box(edge, edge), density: 1, friction: 0.5 } }),
     );
     for (let i = 0; i < 240; i++) step(world, 1 / 60);
     const { y } = world.components.Position;

@@ -40,6 +40,7 @@ export const physicsLayers: readonly string[] = [
   'memory',
   'ecs',
   'memory/resource.ts',
+  'memory/force-memory.ts',
   'world/execution-plan.ts',
   'world/event-handlers.ts',
   'world/profile.ts',

@@ -3,11 +3,18 @@ import { defineComponent, real } from './define.ts';
 /** The speed of light in vacuum, m/s, exact (SI): the maximum speed along an axis; larger values are clamped. */
 export const MAX_SPEED = 299_792_458;
 
+/** The bounds of a velocity along an axis. */
+export const VELOCITY_LIMITS = {
+  min: -MAX_SPEED,
+  max: MAX_SPEED,
+  hint: 'The limit holds for the number, in whatever units: take a larger unit of length or a shorter one of time, as docs/units.md says.',
+};
+
 /** Velocity of the centre of mass, m/s. */
 export const Velocity = defineComponent({
   fields: {
-    x: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
-    y: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED } }),
-    z: real('m/s', { bounds: { min: -MAX_SPEED, max: MAX_SPEED }, spatial: true }),
+    x: real('m/s', { bounds: VELOCITY_LIMITS }),
+    y: real('m/s', { bounds: VELOCITY_LIMITS }),
+    z: real('m/s', { bounds: VELOCITY_LIMITS, spatial: true }),
   },
 });

@@ -4,7 +4,8 @@ import type { ComponentName } from '../components/all.ts';
 import { JOINT_KINDS } from '../components/joint.ts';
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
-import type { Force, PhysicsWorld, Plan, Warning } from '../world/types.ts';
+import type { PhysicsWorld, Plan, Warning } from '../world/types.ts';
+import { constantsOf, firstRow, warnAboutForces } from './force-warnings.ts';
 
 /** The default of `world.onWarning`. */
 export function printWarning({ message, hint }: Warning): void {
@@ -88,7 +89,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutUnreadComponents(world);
   warnAboutStrayValues(world);
   warnAboutInertiaTensors(world);
-  warnAboutRepeatedForces(world);
+  warnAboutForces(world);
   warnAboutSprings(world);
   warnAboutShapes(world);
   warnAboutMissingPositions(world);
@@ -206,11 +207,11 @@ function warnAboutSurfaces(world: PhysicsWorld, { systems }: Plan): void {
 /** Nothing that moves or collides is without a place. */
 function warnAboutMissingPositions(world: PhysicsWorld): void {
   const { members } = world.internal;
-  const [position, moving] = [bitOf('Position'), bitOf('Mass') | bitOf('Velocity')];
-  const lost = firstRow(world, (id) => (members[id] & moving) !== 0 && (members[id] & position) === 0);
+  const [position, bodily] = [bitOf('Position'), bitOf('Mass') | bitOf('Velocity') | bitOf('Collider')];
+  const lost = firstRow(world, (id) => (members[id] & bodily) !== 0 && (members[id] & position) === 0);
   if (lost === 0) return;
   const warning = {
-    message: `entity ${lost} has Mass or Velocity and no Position, so that nothing moves it.`,
+    message: `entity ${lost} has Mass, Velocity or Collider and no Position, so that nothing moves or meets it.`,
     hint: 'Spawn it with `position: {}`, which is the origin.',
   };
   warnOnce(world, warning, 'no Position');
@@ -291,47 +292,11 @@ function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
   warnOnce(world, warning, 'small');
 }
 
-/** The first row that has what is asked for, 0 if there is none. */
-function firstRow({ lastId }: PhysicsWorld, has: (id: number) => boolean): number {
-  for (let id = 1; id <= lastId; id++) if (has(id)) return id;
-  return 0;
-}
-
 function warnAboutInertiaTensors(world: PhysicsWorld): void {
   const { InertiaTensor, Orientation, AngularVelocity } = world.internal.counts;
   if (InertiaTensor <= Math.min(Orientation, AngularVelocity)) return;
   warnOnce(world, {
     message: 'some bodies have an InertiaTensor and do not rotate, because they lack Orientation or AngularVelocity.',
     hint: 'Spawn them with `orientation: {}` and `angularVelocity: {}` as well.',
-  });
-}
-
-function warnAboutRepeatedForces(world: PhysicsWorld): void {
-  const known = new Set<string>();
-  for (const force of world.forces) {
-    const key = signatureOf(world, force);
-    if (key !== undefined && known.has(key)) {
-      warnOnce(world, {
-        message: `the force "${force.name}" is in \`world.forces\` twice with the same parameters, and acts twice.`,
-        hint: 'Remove one of them.',
-      });
-    }
-    if (key !== undefined) known.add(key);
-  }
-}
-
-/** Identifies laws with equal constants, those of `restrictForce` included. Functions of a user may differ in what they compute. */
-function signatureOf(world: PhysicsWorld, force: Force): string | undefined {
-  const { name, law, sources = [] } = force;
-  if (law === undefined || sources.some(({ when }) => when !== 'once')) return undefined;
-  return JSON.stringify([name, law.structure, constantsOf(world, force)]);
-}
-
-/** What the parameters of a law are now. */
-function constantsOf(world: PhysicsWorld, { sources = [] }: Force): number[][] {
-  return sources.map((source) => {
-    const values = new Float64Array(3);
-    source.write(world, values, 0, world.time);
-    return [...values];
   });
 }

@@ -26,6 +26,7 @@ const KEYS = [
   'torque',
   'potential',
   'prepare',
+  'releaseMemory',
   'consumes',
 ];
 
@@ -66,6 +67,7 @@ function definitionOf<R extends Reads, P extends Parameters>(options: LawOptions
   if (typeof options.name !== 'string' || options.name === '') throw mustBe('a text', options.name, 'defineLaw: name');
   if (options.dimensions !== undefined) checkChoice(options.dimensions, `${options.name}.dimensions`, [2, 3]);
   if (options.prepare !== undefined) checkFunction(options.prepare, `${options.name}.prepare`);
+  if (options.releaseMemory !== undefined) checkFunction(options.releaseMemory, `${options.name}.releaseMemory`);
   const parameters = (options.parameters ?? {}) as Readonly<Record<string, Parameter>>;
   let recorded: Law | undefined;
   const record = () => {
@@ -81,6 +83,7 @@ function definitionOf<R extends Reads, P extends Parameters>(options: LawOptions
       // A consumed column is also read, to know how much is left.
       reads: [...new Set([...columnsRead(law), ...(options.consumes ?? [])])],
       ...(options.prepare && { prepare: options.prepare }),
+      ...(options.releaseMemory && { releaseMemory: options.releaseMemory }),
       ...(options.consumes && { consumes: options.consumes }),
     });
   };

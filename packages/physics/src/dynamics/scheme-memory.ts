@@ -1,4 +1,5 @@
 // State that a scheme keeps between steps: vectors of each body, and the length of the step.
+import { allocateTogether } from '../memory/arena.ts';
 import { type AxisAddresses, axisColumns } from '../memory/columns.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
@@ -16,8 +17,10 @@ const memories = resource((): Map<string, SchemeMemory> => new Map());
 export function schemeMemory(world: PhysicsWorld, scheme: Scheme): SchemeMemory {
   const existing = memories(world).get(scheme.structure);
   if (existing !== undefined) return existing;
-  const { internal, precision, rows } = world;
-  const columns = scheme.memory.map((_, i) => axisColumns(internal.arena, precision, rows, `memory ${i}`)[1]);
+  const { internal, kernels, precision, rows } = world;
+  const columns = allocateTogether(internal.arena, kernels.findPage, () =>
+    scheme.memory.map((_, i) => axisColumns(internal.arena, precision, rows, `memory ${i}`)[1]),
+  );
   const made = { columns, tick: -1, dt: 0, last: 0 };
   memories(world).set(scheme.structure, made);
   return made;

@@ -6,6 +6,8 @@ export interface Bounds {
   readonly max?: number | undefined;
   readonly above?: number | undefined;
   readonly integer?: boolean | undefined;
+  /** The hint of the error for a number that is out of bounds. Default none. */
+  readonly hint?: string | undefined;
 }
 
 /**
@@ -23,7 +25,7 @@ export function checkNumber(
   const expected = !isNumber ? 'a number' : !Number.isFinite(value) ? 'finite' : outOfBounds(value, bounds);
   if (expected === undefined) return value as number;
   const code = !isNumber ? 'E_TYPE' : Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
-  throw mustBe(expected, value, field, code, entity, hint);
+  throw mustBe(expected, value, field, code, entity, hint ?? (code === 'E_RANGE' ? bounds.hint : undefined));
 }
 
 /** `checkNumber` for an integer; allocates no object, for values that are checked in every step. */

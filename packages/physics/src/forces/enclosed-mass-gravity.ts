@@ -8,14 +8,13 @@
 // radius. Shells outside r exert no force (Newton, Principia I, propositions 70 and 71). Valid for spherical
 // symmetry. Cost: a square root, a division and 17 more operations per body, and six per radius: M is the sum over
 // all shells of the mass within r, so that no body searches the table. The table takes 32 bytes per radius of the
-// memory of each world that uses it, and is never released.
+// memory of each world that uses it, until `replaceForce` replaces it.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkList, checkNumber } from '../errors/validate.ts';
 import { constant, type Scalar, select } from '../laws/expression.ts';
 import { scalar, suppliedScalar } from '../laws/parameter.ts';
 import { table } from '../laws/table.ts';
-import { allocate } from '../memory/arena.ts';
-import { resource } from '../memory/resource.ts';
+import { forceMemory } from '../memory/force-memory.ts';
 import type { Force } from '../world/types.ts';
 import { LENGTH_BOUNDS, NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
@@ -51,8 +50,8 @@ function lawOf(radii: readonly number[], masses: readonly number[]) {
       return [radii[i], outer, mass, mass / (outer - radii[i])];
     }),
   );
-  const shellsAt = resource((world) => {
-    const at = allocate(world.internal.arena, shells.byteLength, 'a mass profile');
+  const { of: shellsAt, release } = forceMemory((world, take) => {
+    const at = take(shells.byteLength, 'a mass profile');
     new Float64Array(world.memory.buffer, at, shells.length).set(shells);
     return { at, count: shells.length / SHELL.length };
   });
@@ -82,6 +81,7 @@ function lawOf(radii: readonly number[], masses: readonly number[]) {
       return gravitationalConstant.mul(ofCore.add(rows.sum((shell) => energyOf(distance, shell)))).negate();
     },
     prepare: (world) => void shellsAt(world),
+    releaseMemory: release,
   };
   return law;
 }

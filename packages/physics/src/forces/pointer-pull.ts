@@ -16,8 +16,7 @@ import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { constant, select, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import { type TableLocation, table } from '../laws/table.ts';
-import { allocate } from '../memory/arena.ts';
-import { resource } from '../memory/resource.ts';
+import { forceMemory } from '../memory/force-memory.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 
@@ -47,8 +46,8 @@ const GRAB = ['entity', 'x', 'y', 'z'] as const;
 export function pointerPull(options: PointerPullOptions = {}): PointerPull {
   const grabbed = { world: undefined as PhysicsWorld | undefined, eid: 0, ref: 0 as EntityRef };
   let target = checkVector({}, 'pointerPull');
-  const grabOf = resource(({ internal, memory }) => {
-    const at = allocate(internal.arena, 8 * GRAB.length, 'a pointer pull');
+  const { of: grabOf, release: releaseMemory } = forceMemory(({ memory }, take) => {
+    const at = take(8 * GRAB.length, 'a pointer pull');
     return { row: new Float64Array(memory.buffer, at, GRAB.length), tableAt: { at, count: 0 } };
   });
   const force = definePull((world) => {
@@ -62,6 +61,7 @@ export function pointerPull(options: PointerPullOptions = {}): PointerPull {
   })(options);
   return {
     ...force,
+    releaseMemory,
     grab(world, eid, point) {
       assertBody(world, eid);
       target = checkVector(point, 'pointerPull.point', POSITION_BOUNDS);

@@ -17,9 +17,8 @@ import { checkKeys, checkList, checkNumber, checkWhole } from '../errors/validat
 import { axial3, type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import { type Table, type TableLocation, table } from '../laws/table.ts';
-import { allocate } from '../memory/arena.ts';
-import { resource } from '../memory/resource.ts';
-import type { Force, PhysicsWorld } from '../world/types.ts';
+import { type ForceMemory, forceMemory } from '../memory/force-memory.ts';
+import type { Force } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 import { FLUID, FLUID_VOLUME, type FluidVolume, fluidVolumeValues } from './support/fluid-volume.ts';
 
@@ -132,11 +131,11 @@ function cutOutline(body: FloatingSymbols, fluid: OutlineSymbols): Submerged {
   return { depth, up, area, moments: vec3(sums.x, sums.y).div(6).add(about.mul(area)) };
 }
 
-/** Defines the law of a polygon, whose table `locate` returns. */
-function withSurface(locate: (world: PhysicsWorld) => TableLocation) {
+/** Defines the law of a polygon, whose table is in this memory. */
+function withSurface({ of, release }: ForceMemory<TableLocation>) {
   return defineLaw({
     ...about,
-    parameters: { ...FLUID_VOLUME, ...HULL, extent: scalar('m'), edges: table(EDGE, locate) },
+    parameters: { ...FLUID_VOLUME, ...HULL, extent: scalar('m'), edges: table(EDGE, of) },
     force: (body, fluid) => fluid.up.mul(weight(body, fluid).div(fluid.area).mul(submerged(body, fluid).area)),
     torque(body, fluid) {
       const { moments, up } = submerged(body, fluid);
@@ -150,7 +149,8 @@ function withSurface(locate: (world: PhysicsWorld) => TableLocation) {
         .mul(area.mul(depth).sub(moments.dot(up)));
     },
     // Allocates the memory before the step.
-    prepare: (world) => void locate(world),
+    prepare: (world) => void of(world),
+    releaseMemory: release,
   });
 }
 
@@ -166,14 +166,14 @@ export function polygonBuoyancy(fluidVolume: FluidVolume, hull: PolygonHull): Fo
   });
   const area = areaOf(corners);
   if (level === undefined) return unbounded({ ...fluid, shape, area, centroid: centroidOf(edges, area) });
-  const locate = resource((world): TableLocation => {
-    const at = allocate(world.internal.arena, 8 * EDGE.length * edges.length, 'a hull');
+  const hullAt = forceMemory((world, take): TableLocation => {
+    const at = take(8 * EDGE.length * edges.length, 'a hull');
     const values = edges.flatMap((edge) => EDGE.map((field) => edge[field]));
     new Float64Array(world.memory.buffer, at, values.length).set(values);
     return { at, count: edges.length };
   });
   const extent = Math.max(...corners.map(({ x, y }) => Math.sqrt(x * x + y * y)));
-  return withSurface(locate)({ ...fluid, level, shape, area, extent });
+  return withSurface(hullAt)({ ...fluid, level, shape, area, extent });
 }
 
 interface Corner {

@@ -15,8 +15,9 @@ import type { LawForce } from '../dynamics/sum-of-laws.ts';
 import { ownBit } from '../ecs/own-components.ts';
 import { allocate } from '../memory/arena.ts';
 import { realAddresses, realBytes } from '../memory/columns.ts';
+import { forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import { LIMITS_BYTES, LimitsNumber, LimitsWord } from '../memory/layouts.gen.ts';
-import { allocateRecord } from '../memory/record.ts';
+import { recordAt } from '../memory/record.ts';
 import { resource } from '../memory/resource.ts';
 import { checkForce } from '../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
@@ -37,15 +38,21 @@ let depth = 0;
 export function restrictForce(force: Force, limits: Restrictions): Force {
   checkForce(force, 'restrictForce: force');
   const checked = checkRestrictions(limits);
-  const limitsAt = resource((world) => writeLimits(world, checked));
+  const { of: limitsAt, release } = forceMemory((world, take) => writeLimits(world, take, checked));
+  const releaseMemory = (world: PhysicsWorld) => {
+    release(world);
+    force.releaseMemory?.(world);
+  };
   const prepare = prepareWithin(force, checked, limitsAt);
   const reads = [...new Set([...force.reads, ...namesInGroup(checked)])];
-  if (force.law !== undefined) return { ...restrictedLaw(force as LawForce, checked), reads, ...prepare };
+  if (force.law !== undefined)
+    return { ...restrictedLaw(force as LawForce, checked), reads, ...prepare, releaseMemory };
   return {
     ...force,
     name: `${force.name} (restricted)`,
     reads,
     ...prepare,
+    releaseMemory,
     accumulate(world, first, last, time) {
       // A step has one torque, that of its last evaluation, so it is decided by the start of the step, as fuel is.
       const isPerStep = force.consumes !== undefined || force.appliesTorque === true;
@@ -199,11 +206,11 @@ function potentialOfGroup(world: PhysicsWorld, force: Force, limits: number): nu
   }
 }
 
-function writeLimits(world: PhysicsWorld, limits: CheckedRestrictions): number {
+function writeLimits(world: PhysicsWorld, take: TakeBytes, limits: CheckedRestrictions): number {
   const { group, box, ball } = limits;
   const required = bitsOf(namesInGroup(limits));
   const own = group.map((component) => (typeof component === 'string' ? 0 : ownBit(world, component)));
-  const { at, numbers, words } = allocateRecord(world.internal.arena, LIMITS_BYTES, 'limits');
+  const { at, numbers, words } = recordAt(world.memory, take(LIMITS_BYTES, 'limits'), LIMITS_BYTES);
   const isFlat = world.dimensions === 2;
   // In 2D a region has no depth: a centre has z = 0, and a box is unbounded in z.
   if (ball !== undefined) {

@@ -19,8 +19,7 @@ import { scalar } from '../laws/parameter.ts';
 import { type TableLocation, table } from '../laws/table.ts';
 import { cos, pow, sin } from '../math/elementary.ts';
 import { createRandom, type Random } from '../math/random.ts';
-import { allocate } from '../memory/arena.ts';
-import { resource } from '../memory/resource.ts';
+import { forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { LENGTH_BOUNDS } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
@@ -55,7 +54,7 @@ export function turbulentDrag(options: TurbulenceOptions): Force {
 }
 
 function dragIn(spectrum: Spectrum) {
-  const modesOf = resource((world) => drawModes(world, spectrum));
+  const { of: modesOf, release } = forceMemory((world, take) => drawModes(world, take, spectrum));
   return defineLaw({
     name: 'turbulent drag',
     formula: 'F = -(c + k |w|) w, w = v - u(r, t)',
@@ -80,6 +79,7 @@ function dragIn(spectrum: Spectrum) {
       return w.mul(c.add(k.mul(w.length()))).negate();
     },
     prepare: (world) => void modesOf(world),
+    releaseMemory: release,
   });
 }
 
@@ -118,11 +118,10 @@ function checkSpectrum(options: TurbulenceOptions) {
   return { deviation, largest, smallest, time, count, seed };
 }
 
-function drawModes(world: PhysicsWorld, spectrum: Spectrum): TableLocation {
+function drawModes(world: PhysicsWorld, take: TakeBytes, spectrum: Spectrum): TableLocation {
   const { deviation, largest, smallest, time, count, seed } = spectrum;
-  const { arena } = world.internal;
-  const at = allocate(arena, 8 * MODE.length * count, 'turbulence');
-  const rows = new Float64Array(arena.memory.buffer, at, MODE.length * count);
+  const at = take(8 * MODE.length * count, 'turbulence');
+  const rows = new Float64Array(world.memory.buffer, at, MODE.length * count);
   const random = createRandom(seed);
   const ratios = Array.from({ length: count }, (_, j) => pow(largest / smallest, count === 1 ? 0 : j / (count - 1)));
   const energies = ratios.map((ratio) => pow(ratio, -2 / 3));

@@ -44,6 +44,7 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
   const central = checkNumber(options.central ?? 0, 'central', { min: 0, integer: true });
   return {
     name: 'Wisdom-Holman',
+    parameters: { G: { unit: 'm³/(kg s²)', value: G } },
     order: 2,
     symplectic: true,
     evaluations: 1,

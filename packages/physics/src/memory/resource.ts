@@ -1,6 +1,7 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkFlag, checkFunction, checkKeys, checkObject } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { allocateTogether } from './arena.ts';
 
 /** The key of a resource. */
 export class ResourceKey {
@@ -44,14 +45,17 @@ export function resource<T>(
   checkKeys(options, 'resource', ['excludeFromSnapshot']);
   const excludeFromSnapshot = checkFlag(options.excludeFromSnapshot, 'resource.excludeFromSnapshot');
   const key = new ResourceKey(excludeFromSnapshot);
-  return (world) => {
-    assertUsable(world);
-    const { resources } = world.internal;
-    let state = resources.get(key) as T | undefined;
-    if (state === undefined) {
-      state = create(world);
-      resources.set(key, state);
-    }
-    return state;
-  };
+  return (world) => stateAt(world, key, create);
+}
+
+/** Returns the state at a key, created on first use. If that throws, the memory it allocated is free again. */
+export function stateAt<T>(world: PhysicsWorld, key: ResourceKey, create: (world: PhysicsWorld) => T): T {
+  assertUsable(world);
+  const { resources, arena } = world.internal;
+  let state = resources.get(key) as T | undefined;
+  if (state === undefined) {
+    state = allocateTogether(arena, world.kernels.findPage, () => create(world));
+    resources.set(key, state);
+  }
+  return state;
 }

@@ -3,10 +3,9 @@
 import { bitOf } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
-import { allocate } from '../memory/arena.ts';
+import { forceMemory } from '../memory/force-memory.ts';
 import { N_BODY_BYTES, NBodyNumber, NBodyWord as Word } from '../memory/layouts.gen.ts';
 import { recordAt } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
 import type { Force, ForceParameter, PhysicsWorld } from '../world/types.ts';
 import { nBodyKernels } from './kernels.ts';
 
@@ -105,6 +104,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
     prepare(world) {
       sum.workOf(world);
     },
+    releaseMemory: sum.release,
     accumulate(world) {
       const work = sum.evaluate(world);
       const { force } = world.scratch.at;
@@ -135,7 +135,7 @@ function createSum(spec: MutualSpec) {
   const power = law === 'inverse-square' ? 2 : 1;
   const required = (bitOf('Position') | bitOf(spec.strength)) >>> 0;
   const treeFrom = (world: PhysicsWorld) => TREE_FROM[world.precision][world.dimensions];
-  const workOf = resource((world) => {
+  const { of: workOf, release } = forceMemory((world, take) => {
     if (world.dimensions === 3 && power === 1) {
       throw new PhysicsError('E_RANGE', `${spec.name}: the law inverse-distance requires a 2D world.`, {
         field: 'law',
@@ -146,7 +146,7 @@ function createSum(spec: MutualSpec) {
     const hasTree = method === 'tree' || (method === 'auto' && world.capacity >= treeFrom(world)) ? 1 : 0;
     const kernels = nBodyKernels(world);
     const bytes = kernels.nBodyBytes(world.capacity, hasTree);
-    const work = allocate(world.internal.arena, bytes, spec.name);
+    const work = take(bytes, spec.name);
     kernels.nBodyBegin(work, world.capacity, hasTree);
     return work;
   });
@@ -155,6 +155,7 @@ function createSum(spec: MutualSpec) {
   return {
     power,
     workOf,
+    release,
     evaluationWork(world: PhysicsWorld): number {
       const bodies = world.internal.counts[spec.strength];
       return usesTree(world, bodies) ? TREE_WORK * bodies : PAIR_WORK * bodies * bodies;

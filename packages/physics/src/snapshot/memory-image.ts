@@ -1,4 +1,5 @@
 // Saves and restores the world's memory. Pages that contain only zeros are omitted.
+import { clearMemory, PAGE_BYTES } from '../memory/arena.ts';
 import { COLUMN_TABLE, COLUMNS_BYTES, FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -28,9 +29,6 @@ const EMPTY_LAYOUT: Layout = { runs: [], views: [], length: 0, top: 0 };
 export function noImage(): MemoryImage {
   return { layout: EMPTY_LAYOUT, bytes: new Uint8Array(0), top: 0, staggered: 0 };
 }
-
-/** Granularity in bytes: one page, which most systems allocate only when it is first written. */
-const PAGE_BYTES = 4096;
 
 /** Copies the memory into an image and reuses its buffer if it is large enough. */
 export function takeImage(world: PhysicsWorld, image: MemoryImage): void {
@@ -109,14 +107,7 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
   const target = new Uint8Array(memory.buffer);
   target.set(bytes.subarray(0, COLUMNS_BYTES), COLUMN_TABLE);
   const end = Math.max(top, arena.top);
-  // Zeros are written only over non-zero bytes, because writing would commit untouched pages.
-  const clear = (from: number, to: number) => {
-    for (let at = from; at < to; ) {
-      const first = kernels.findPage(at, to, PAGE_BYTES, 1);
-      at = kernels.findPage(first, to, PAGE_BYTES, 0);
-      target.fill(0, first, at);
-    }
-  };
+  const clear = (from: number, to: number) => clearMemory(memory, kernels.findPage, from, to);
   let from = COLUMNS_BYTES;
   let at = FIRST_COLUMN;
   for (let r = 0; r < runs.length; r += 2) {
@@ -128,5 +119,6 @@ export function putImage({ internal: { arena }, memory, kernels }: PhysicsWorld,
   }
   clear(at, Math.ceil(end / PAGE_BYTES) * PAGE_BYTES);
   arena.top = top;
+  arena.kept = Math.min(arena.kept, top);
   arena.staggered = staggered;
 }

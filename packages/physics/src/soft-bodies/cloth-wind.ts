@@ -14,9 +14,9 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { VELOCITY_BOUNDS } from '../forces/support/bounds.ts';
 import { shownVector, timeVector, type VectorOverTime } from '../laws/time-vector.ts';
+import { forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import { SHEET_IN_WIND_BYTES, SheetInWindNumber, SheetInWindWord } from '../memory/layouts.gen.ts';
-import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { type Faces, facesOf } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
@@ -42,7 +42,7 @@ export function clothWind(options: ClothWindOptions): Force {
   const tangential = checkNumber(options.tangential ?? 0.01, 'clothWind.tangential', { min: 0, max: 100 });
   const wind = timeVector(options.velocity ?? {}, 'clothWind.velocity', 'velocity', VELOCITY_BOUNDS);
   const faces = facesOf(options.triangles, 3, 'clothWind.triangles');
-  const sheetOf = resource((world) => writeSheet(world, faces(world), [density, normal, tangential]));
+  const sheet = forceMemory((world, take) => writeSheet(world, take, faces.of(world), [density, normal, tangential]));
   return {
     name: 'wind on cloth',
     equation: 'F = ρ A |u| (c_n (u·n) n + c_t (u - (u·n) n)) / 2',
@@ -63,10 +63,14 @@ export function clothWind(options: ClothWindOptions): Force {
           { field: 'dimensions' },
         );
       }
-      sheetOf(world);
+      sheet.of(world);
+    },
+    releaseMemory(world) {
+      sheet.release(world);
+      faces.release(world);
     },
     accumulate(world, _first, _last, time) {
-      const { at, numbers } = sheetOf(world);
+      const { at, numbers } = sheet.of(world);
       const { x, y, z } = wind.at(world, time);
       numbers[SheetInWindNumber.windX] = x;
       numbers[SheetInWindNumber.windY] = y;
@@ -78,10 +82,11 @@ export function clothWind(options: ClothWindOptions): Force {
 
 function writeSheet(
   world: PhysicsWorld,
+  take: TakeBytes,
   { at, count, sections }: Faces,
   coefficients: readonly number[],
 ): MemoryRecord {
-  const sheet = allocateRecord(world.internal.arena, SHEET_IN_WIND_BYTES, 'wind on cloth');
+  const sheet = recordAt(world.memory, take(SHEET_IN_WIND_BYTES, 'wind on cloth'), SHEET_IN_WIND_BYTES);
   const { x, y, z } = world.scratch.at.force;
   sheet.words.set([at, count, sections, world.internal.generations.byteOffset], SheetInWindWord.faces);
   sheet.words.set([x, y, z], SheetInWindWord.forceX);

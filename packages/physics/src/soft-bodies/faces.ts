@@ -4,8 +4,7 @@
 import { assertBody, isBody } from '../ecs/entity-ref.ts';
 import { assertBelongs } from '../ecs/id-lists.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { allocate } from '../memory/arena.ts';
-import { resource } from '../memory/resource.ts';
+import { type ForceMemory, forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { listStrips } from './strips.ts';
 
@@ -17,11 +16,11 @@ export interface Faces {
 }
 
 /**
- * Returns a function that copies the faces into a world's memory on first use.
- * @throws PhysicsError E_TYPE, E_RANGE (incomplete faces); the returned function: E_STALE, E_CAPACITY, and E_TYPE in a world
+ * Returns the faces in a world's memory, copied on first use.
+ * @throws PhysicsError E_TYPE, E_RANGE (incomplete faces); on first use: E_STALE, E_CAPACITY, and E_TYPE in a world
  *   other than that of the ids
  */
-export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): (world: PhysicsWorld) => Faces {
+export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): ForceMemory<Faces> {
   if (typeof ids?.length !== 'number')
     throw new PhysicsError('E_TYPE', `${field} must be an array of entity ids.`, { field, value: ids });
   if (ids.length % corners !== 0) {
@@ -32,20 +31,26 @@ export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): 
     );
   }
   // A resource, so that restoring a snapshot from before its creation also frees its memory.
-  return resource((world) => copyFaces(world, ids, corners, field));
+  return forceMemory((world, take) => copyFaces(world, take, { ids, corners, field }));
 }
 
 /** Bytes of scratch memory behind the faces, for the forces of a chunk: kernels/soft-bodies/faces.ts. */
 const FORCE_BYTES = 16 + 3 * 128 * 8;
 
-function copyFaces(world: PhysicsWorld, ids: ArrayLike<number>, corners: number, field: string): Faces {
+interface FaceList {
+  readonly ids: ArrayLike<number>;
+  readonly corners: number;
+  readonly field: string;
+}
+
+function copyFaces(world: PhysicsWorld, take: TakeBytes, { ids, corners, field }: FaceList): Faces {
   const { arena, generations } = world.internal;
   assertBelongs(world, ids, field);
   for (let i = 0; i < ids.length; i++) if (!wasBody(world, ids[i])) assertBody(world, ids[i]);
   const count = ids.length / corners;
   const list = corners === 3 ? listStrips(ids, world.rows) : [];
-  const at = allocate(arena, 8 * ids.length + FORCE_BYTES, field);
-  const sections = allocate(arena, 4 * list.length, field);
+  const at = take(8 * ids.length + FORCE_BYTES, field);
+  const sections = take(4 * list.length, field);
   new Uint32Array(arena.memory.buffer, sections, list.length).set(list);
   const words = new Uint32Array(arena.memory.buffer, at, 2 * ids.length);
   for (let i = 0; i < ids.length; i++) {

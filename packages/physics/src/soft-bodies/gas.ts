@@ -42,7 +42,7 @@ export function enclosedGas(options: GasOptions): Force {
   const reference = checkNumber(options.reference ?? 1, 'enclosedGas.reference', { above: 0 });
   const faces = facesOf(options.faces, corners, 'enclosedGas.faces');
   const volume = (world: PhysicsWorld) => {
-    const { at, count } = faces(world);
+    const { at, count } = faces.of(world);
     return softBodyKernels(world).enclosed(at, count, corners, world.internal.generations.byteOffset);
   };
   return {
@@ -55,9 +55,10 @@ export function enclosedGas(options: GasOptions): Force {
     reads: ['Position'],
     local: false,
     readsOfOthers: [],
-    prepare: (world) => void faces(world),
+    prepare: (world) => void faces.of(world),
+    releaseMemory: faces.release,
     accumulate(world) {
-      const { at, count } = faces(world);
+      const { at, count } = faces.of(world);
       const generations = world.internal.generations.byteOffset;
       const enclosedVolume = volume(world);
       if (!(enclosedVolume > 0)) return;

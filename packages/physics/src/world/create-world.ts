@@ -105,7 +105,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
       : checkNumber(arenaBytes, 'arenaBytes', { min: 0, max: 2 ** 32 });
   const components = checkOwnComponents(options.components);
   const own = columnBytes((integrator.columns ?? 0) + ownColumnCount(components), rows, precision);
-  const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN);
+  const arena = createArena(memoryBytes(rows, precision) + own + extra, FIRST_COLUMN, extra);
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
   const internals = createInternals(arena, precision, rows, components);
   const world = createWorld({ ...chosen, ...internals }) as object as PhysicsWorld;

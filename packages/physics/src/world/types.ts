@@ -98,6 +98,11 @@ export interface Force {
    * exceptions propagate from `step`, which then has no effect.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
+  /**
+   * Called when `replaceForce` has replaced the force, to give back memory that it has taken in the world. The force may
+   * be added again.
+   */
+  releaseMemory?(world: PhysicsWorld): void;
   /** The force also adds to `world.scratch.torque`; the torque of the last evaluation rotates the bodies. Default false. */
   readonly appliesTorque?: boolean;
   /**
@@ -136,6 +141,8 @@ export type EvaluateForces = (world: PhysicsWorld, ranges: Ranges, time: number)
  */
 export interface Integrator {
   readonly name: string;
+  /** Its parameters, to be shown. Default none. */
+  readonly parameters?: Readonly<Record<string, ForceParameter>>;
   /** Order of the global error in dt. */
   readonly order: number;
   /** The energy error of a conservative system stays bounded. */

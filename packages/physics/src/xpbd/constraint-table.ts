@@ -2,7 +2,7 @@
 // added or removed; their coefficients are read every step.
 import { bitOf } from '../components/membership.ts';
 import { removeDanglingSprings, scanSprings, springTable } from '../forces/support/spring-table.ts';
-import { allocate } from '../memory/arena.ts';
+import { allocate, allocateTogether } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONSTRAINT_TABLE_BYTES, ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
@@ -88,12 +88,15 @@ export function allocateRows(world: PhysicsWorld, table: ConstraintTable): void 
   const capacity = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * counts.Spring)));
   const rows = Math.ceil(capacity * (1 + MAX_PADDING_PER_SPRING)) + PADDING_ROWS;
   const real = realBytes(world.precision);
-  const allocateColumn = (word: Word, bytes: number) => {
-    table.words[word] = allocate(arena, bytes, `${counts.Spring} springs as constraints`);
-  };
-  for (const word of [Word.assigned, Word.springIds, Word.a, Word.b, Word.chains, Word.batches, Word.broken])
-    allocateColumn(word, 4 * (rows + 1));
-  for (const word of [Word.length, Word.gain, Word.softness, Word.tension]) allocateColumn(word, real * rows);
+  const allocateColumn = (bytes: number) => (word: Word) =>
+    [word, allocate(arena, bytes, `${counts.Spring} springs as constraints`)] as const;
+  const ids = [Word.assigned, Word.springIds, Word.a, Word.b, Word.chains, Word.batches, Word.broken];
+  const reals = [Word.length, Word.gain, Word.softness, Word.tension];
+  const columns = allocateTogether(arena, world.kernels.findPage, () => [
+    ...ids.map(allocateColumn(4 * (rows + 1))),
+    ...reals.map(allocateColumn(real * rows)),
+  ]);
+  for (const [word, at] of columns) table.words[word] = at;
   table.capacity = capacity;
 }
 

@@ -35,6 +35,7 @@ export interface CentralLaw<P> {
   /** Potential energy, J/kg or J/C, at `r`. */
   energy(r: Vector, parameters: LawSymbols<P>): Scalar;
   readonly prepare?: (world: PhysicsWorld) => void;
+  readonly releaseMemory?: (world: PhysicsWorld) => void;
 }
 
 /**
@@ -47,7 +48,7 @@ export function centralForce<P extends Parameters>(
   couplesTo: 'Mass' | 'Charge',
   options: CentreOptions & ParameterInput<P>,
 ): Force {
-  const { name, formula, source = '', prepare } = law;
+  const { name, formula, source = '', prepare, releaseMemory } = law;
   const symbols = (given: object) => given as LawSymbols<P> & LawSymbols<typeof CENTRE>;
   const from = ({ position, time }: BodySymbols, given: object) => {
     const { centre, centreVelocity } = symbols(given);
@@ -70,6 +71,7 @@ export function centralForce<P extends Parameters>(
       potential: (body: Body, given) => energy(body, given).mul(couplesToMass ? body.mass : body.charge),
     }),
     ...(prepare && { prepare }),
+    ...(releaseMemory && { releaseMemory }),
   });
   return make(options as never);
 }

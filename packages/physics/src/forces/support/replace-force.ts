@@ -6,7 +6,8 @@ import type { Force, PhysicsWorld } from '../../world/types.ts';
 /**
  * Replaces a force, for example to change gravity by a slider at run time: `replaceForce(world, uniformGravity({ y:
  * -slider.value }))`. Forces are immutable, so the values are validated before this call, and an invalid value
- * leaves the world unchanged. During a step it takes effect when the step ends.
+ * leaves the world unchanged. During a step it takes effect when the step ends. The memory of the old force goes to the
+ * new one, so that a force can be replaced any number of times.
  * @param force the new force
  * @param old the force to replace; by default the first with the same name
  * @throws PhysicsError E_UNKNOWN if there is none, E_TYPE, E_DESTROYED
@@ -16,7 +17,10 @@ export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): vo
   checkForce(force, 'replaceForce: force', world.dimensions);
   indexOfForce(world, force, old);
   whenIdle(world, () => {
-    world.forces[indexOfForce(world, force, old)] = force;
+    const index = indexOfForce(world, force, old);
+    const { releaseMemory } = world.forces[index];
+    world.forces[index] = force;
+    if (!world.forces.some((each) => each.releaseMemory === releaseMemory)) releaseMemory?.(world);
   });
 }
 

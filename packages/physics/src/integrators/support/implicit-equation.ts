@@ -1,6 +1,7 @@
 // The equation of a step of implicit Euler, and the columns of its solver.
+import { checkRoom } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
-import { axisColumns } from '../../memory/columns.ts';
+import { axisColumns, realBytes } from '../../memory/columns.ts';
 import { resource } from '../../memory/resource.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { addScaled, type BodyVector, copyVector } from './body-vectors.ts';
@@ -38,6 +39,7 @@ export type Equation = ReturnType<typeof makeEquation>;
 export const equationOf = resource(makeEquation);
 
 function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
+  checkRoom(arena, 3 * VECTORS, rows * realBytes(precision), 'implicit Euler');
   const make = (what: string) => axisColumns(arena, precision, rows, `implicit Euler: ${what}`);
   const [residualColumns, residual] = make('residual');
   return {

@@ -1,0 +1,120 @@
+// Warnings about forces: those that act twice, and those that cannot act as they were meant to.
+import { bitOf } from '../components/membership.ts';
+import { warnOnce } from '../errors/warn-once.ts';
+import type { Force, ParameterSource, PhysicsWorld } from '../world/types.ts';
+
+export function warnAboutForces(world: PhysicsWorld): void {
+  warnAboutRepeatedForces(world);
+  warnAboutGravityAlongZ(world);
+  warnAboutConstantsOfGravity(world);
+  warnAboutMagneticFields(world);
+  warnAboutTorques(world);
+}
+
+function warnAboutRepeatedForces(world: PhysicsWorld): void {
+  const known = new Set<string>();
+  for (const force of world.forces) {
+    const key = signatureOf(world, force);
+    if (key !== undefined && known.has(key)) {
+      warnOnce(world, {
+        message: `the force "${force.name}" is in \`world.forces\` twice with the same parameters, and acts twice.`,
+        hint: 'Remove one of them.',
+      });
+    }
+    if (key !== undefined) known.add(key);
+  }
+}
+
+/** Identifies laws with equal constants, those of `restrictForce` included. Functions of a user may differ in what they compute. */
+function signatureOf(world: PhysicsWorld, force: Force): string | undefined {
+  const { name, law, sources = [] } = force;
+  if (law === undefined || sources.some(({ when }) => when !== 'once')) return undefined;
+  return JSON.stringify([name, law.structure, constantsOf(world, force)]);
+}
+
+/** What the parameters of a law are now. */
+export function constantsOf(
+  world: PhysicsWorld,
+  { sources = [] }: { readonly sources?: readonly ParameterSource[] },
+): number[][] {
+  return sources.map((source) => {
+    const values = new Float64Array(3);
+    source.write(world, values, 0, world.time);
+    return [...values];
+  });
+}
+
+/** What is normal to the plane moves nothing in it. */
+function warnAboutGravityAlongZ(world: PhysicsWorld): void {
+  if (world.dimensions === 3) return;
+  const z = world.forces
+    .filter(({ name }) => name === 'uniform gravity')
+    .map(({ parameters }) => parameters?.accelerationZ?.value ?? 0)
+    .find((value) => value !== 0);
+  if (z === undefined) return;
+  const warning = {
+    message: `uniformGravity has z = ${z}, which has no effect in a 2D world.`,
+    hint: 'Give it as y, such as uniformGravity({ y: -9.8 }), or create the world with `dimensions: 3`.',
+  };
+  warnOnce(world, warning, 'gravity along z');
+}
+
+/** Constants that differ by less are the same, rounded. */
+const ROUNDING = 1e-9;
+
+/** The orbits of Wisdom and Holman and the forces between the bodies are of one gravity. */
+function warnAboutConstantsOfGravity(world: PhysicsWorld): void {
+  const { name, parameters } = world.integrator;
+  const gravity = world.forces.filter((force) => force.name === 'mutual gravity');
+  const [ofOrbits, ofForces] = [parameters?.G?.value, gravity[0]?.parameters?.G?.value];
+  if (name !== 'Wisdom-Holman' || gravity.length !== 1 || ofOrbits === undefined || ofForces === undefined) return;
+  if (Math.abs(ofOrbits - ofForces) <= ROUNDING * Math.abs(ofOrbits)) return;
+  warnOnce(world, {
+    message: `wisdomHolman has G = ${ofOrbits}, but mutualGravity has G = ${ofForces}: the orbits are wrong.`,
+    hint: `Give both the same: wisdomHolman({ G: ${ofForces} }).`,
+  });
+}
+
+/** The scheme of Boris replaces the force of its field. */
+function warnAboutMagneticFields(world: PhysicsWorld): void {
+  const { name, scheme } = world.integrator;
+  const isSteady = ({ sources = [] }: { readonly sources?: readonly ParameterSource[] }) =>
+    sources.length === 1 && sources[0].when === 'once';
+  if (name !== 'Boris' || scheme === undefined || !isSteady(scheme)) return;
+  const [field] = constantsOf(world, scheme);
+  const isSame = (force: Force) =>
+    force.name === 'magnetic field' &&
+    isSteady(force) &&
+    constantsOf(world, force)[0].every((value, axis) => value === field[axis]);
+  if (field.every((value) => value === 0) || !world.forces.some(isSame)) return;
+  warnOnce(world, {
+    message: 'the magnetic field of boris is in `world.forces` as well, and acts twice.',
+    hint: 'Leave magneticField out of `forces`: the integrator replaces it.',
+  });
+}
+
+/** Worlds of rigid bodies ask this of every body. */
+function warnAboutTorques(world: PhysicsWorld): void {
+  if (world.integrator.solvesWalls === true) return;
+  if (!world.forces.some(({ name, law }) => name === 'constant torque' && law?.torque !== undefined)) return;
+  const { members } = world.internal;
+  const { Inertia, Mass, MotionLocks } = world.components;
+  const [inertia, turning] = [bitOf('Inertia'), bitOf('AngularVelocity')];
+  const isStill = (id: number) => (members[id] & (inertia | turning)) === inertia;
+  const isMeantToTurn = (id: number) => Inertia.value[id] > 0 && Mass.value[id] > 0 && MotionLocks.angle[id] === 0;
+  const still = firstRow(world, (id) => isStill(id) && isMeantToTurn(id));
+  if (still === 0) return;
+  const pose =
+    world.dimensions === 2 ? '`rotation: 0` and `angularVelocity: 0`' : '`orientation: {}` and `angularVelocity: {}`';
+  const warning = {
+    message: `constantTorque does not turn body ${still}, because it has Inertia and no AngularVelocity.`,
+    hint: `Spawn it with ${pose} as well.`,
+  };
+  warnOnce(world, warning, 'torque without AngularVelocity');
+}
+
+/** The first row that has what is asked for, 0 if there is none. */
+export function firstRow({ lastId }: PhysicsWorld, has: (id: number) => boolean): number {
+  for (let id = 1; id <= lastId; id++) if (has(id)) return id;
+  return 0;
+}

@@ -1,0 +1,61 @@
+// Memory of forces: a force that is replaced gives it back, and the force that replaces it takes it.
+import type { PhysicsWorld } from '../world/types.ts';
+import { allocate } from './arena.ts';
+import { ResourceKey, resource, stateAt } from './resource.ts';
+
+interface Block {
+  readonly at: number;
+  readonly bytes: number;
+}
+
+/** Memory that forces gave back: the arena of a world frees none. */
+const idleBlocks = resource((): Block[] => []);
+
+/** Returns the address of so many zero bytes. @throws PhysicsError E_CAPACITY */
+export type TakeBytes = (bytes: number, what: string) => number;
+
+/** State of a force, one per world. */
+export interface ForceMemory<T> {
+  /** Returns the state, created on first use. @throws PhysicsError E_CAPACITY */
+  of(world: PhysicsWorld): T;
+  /** Gives the memory back; the next use creates the state again. */
+  release(world: PhysicsWorld): void;
+}
+
+/** As `resource`, for the state of a force that may be replaced, whose memory comes from `take`. */
+export function forceMemory<T>(create: (world: PhysicsWorld, take: TakeBytes) => T): ForceMemory<T> {
+  const key = new ResourceKey(false);
+  const make = (world: PhysicsWorld) => {
+    const { top } = world.internal.arena;
+    const blocks: Block[] = [];
+    const take: TakeBytes = (bytes, what) => {
+      const block = takeBlock(world, bytes, what);
+      blocks.push(block);
+      return block.at;
+    };
+    try {
+      return { value: create(world, take), blocks };
+    } catch (error) {
+      // What came from the arena is free by itself.
+      idleBlocks(world).push(...blocks.filter(({ at }) => at < top));
+      throw error;
+    }
+  };
+  return {
+    of: (world) => stateAt(world, key, make).value,
+    release(world) {
+      if (!world.internal.resources.has(key)) return;
+      idleBlocks(world).push(...stateAt(world, key, make).blocks);
+      world.internal.resources.delete(key);
+    },
+  };
+}
+
+function takeBlock(world: PhysicsWorld, bytes: number, what: string): Block {
+  const idle = idleBlocks(world);
+  const found = idle.findIndex((block) => block.bytes >= bytes && block.bytes <= 2 * bytes + 64);
+  if (found < 0) return { at: allocate(world.internal.arena, bytes, what), bytes };
+  const [block] = idle.splice(found, 1);
+  new Uint8Array(world.memory.buffer, block.at, block.bytes).fill(0);
+  return block;
+}
