@@ -49,7 +49,16 @@ export function burnFuel(engines: usize, dt: f64, first: i32, last: i32): void {
 
 // Applies a blast to rows [0, last): impulse J (1 - r/R)^fall along r, within R. At r = 0 there is no direction and no impulse.
 // Bodies with the bit `kinematic` stay as they are.
-export function blast(cx: f64, cy: f64, cz: f64, impulse: f64, radius: f64, fall: i32, kinematic: u32, last: i32): void {
+export function blast(
+  cx: f64,
+  cy: f64,
+  cz: f64,
+  impulse: f64,
+  radius: f64,
+  fall: i32,
+  kinematic: u32,
+  last: i32,
+): void {
   const c = columns();
   for (let row = 0; row < last; row++) {
     const mass = <f64>get(c.mass, row);

@@ -149,6 +149,7 @@ function advance(
   const kernels = rigidKernels(world);
   const { at, words, numbers } = rigidTable(world);
   const h = dt / substeps;
+  if (numbers[Value.h] > 0 && numbers[Value.h] !== h) scaleImpulses(world, h / numbers[Value.h]);
   numbers[Value.dt] = dt;
   numbers[Value.h] = h;
   words[Word.rows] = world.lastId + 1;
@@ -199,6 +200,13 @@ function advance(
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
   kernels.rememberPoses(at, contentVersion(world));
+}
+
+/** Sub-steps differ in length from those of the last step by a factor. */
+function scaleImpulses(world: PhysicsWorld, factor: number): void {
+  const kernels = rigidKernels(world);
+  kernels.scaleContactImpulses(rigidTable(world).at, factor);
+  if (world.internal.counts.Joint > 0) kernels.scaleJointImpulses(jointTable(world).at, factor);
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;
