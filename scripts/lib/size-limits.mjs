@@ -10,7 +10,7 @@ const emitters = 'createEmitter setEmitter setRate moveEmitter burst aliveCount 
 const contacts = 'particleContacts contacts segmentWalls planeWalls collideBodies';
 const rigid = `createPhysicsWorld destroyWorld spawn despawn step createRunner bodies on uniformGravity linearDrag
   rigidBodies softStep box capsule chain circle decompose polygon segment setShape spawnChain spawnCompound createJoint
-  distance filterJoint gear motorJoint mouseJoint prismatic pulley revolute weld wheel jointForce jointTorque endedJoints
+  distance filterJoint gear motorJoint mouseJoint prismatic pulley revolute weld wheel jointForce jointPosition jointTorque endedJoints
   contactEvents sensorEvents motionEvents isAsleep wake rayCast rayCastAll castShape castShapeAll overlapShape nearestPoint
   bodyAt contactPoints bodyBoxes boxWalls snapshot restore stateHash`;
 

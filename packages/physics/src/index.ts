@@ -147,6 +147,7 @@ export { type DistanceOptions, distance } from './joints/distance.ts';
 export { filterJoint } from './joints/filter-joint.ts';
 export { type GearOptions, gear } from './joints/gear.ts';
 export type { JointInput, JointLimits, JointMotor, JointOptions, JointSpring } from './joints/joint-input.ts';
+export { jointPosition } from './joints/joint-position.ts';
 export type { EndedJoints } from './joints/joint-table.ts';
 export { type MotorJointOptions, type MouseJointOptions, motorJoint, mouseJoint } from './joints/motor-joint.ts';
 export { type PrismaticOptions, prismatic } from './joints/prismatic.ts';

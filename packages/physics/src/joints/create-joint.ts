@@ -3,10 +3,8 @@ import { warnAboutLimits } from '#warnings';
 import { bodyOf } from '../bodies/parts.ts';
 import { despawn, spawn } from '../bodies/spawn.ts';
 import { JOINT_KINDS } from '../components/joint.ts';
-import { staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import { isOpen } from '../ecs/rows.ts';
-import { describe, PhysicsError } from '../errors/physics-error.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
 import { isRecord, mustBe, type VectorInput } from '../errors/validate.ts';
 import { atan2, cos, sin } from '../math/elementary.ts';
 import {
@@ -17,6 +15,7 @@ import {
 import { placeParts } from '../solver/refresh-parts.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { assertJoint } from './assert-joint.ts';
 import type { JointInput } from './joint-input.ts';
 import { type EndedJoints, endedOf, jointTable } from './joint-table.ts';
 
@@ -166,9 +165,7 @@ export function jointTorque(world: PhysicsWorld, joint: number): number {
 }
 
 function impulsesOf(world: PhysicsWorld, joint: number): Float64Array {
-  assertUsable(world);
-  if (!Number.isInteger(joint) || !isOpen(world, joint, 'Joint'))
-    throw staleError(joint, `there is no joint ${describe(joint)} in this world.`);
+  assertJoint(world, joint);
   const { words } = jointTable(world);
   const at = words[Word.impulses] + JOINT_IMPULSES_BYTES * joint;
   return new Float64Array(world.memory.buffer, at, JOINT_IMPULSES_BYTES / 8);

@@ -1,0 +1,46 @@
+// Where a joint is along or about the one direction that it leaves free.
+import { JOINT_KINDS } from '../components/joint.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { cos, sin } from '../math/elementary.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { assertJoint } from './assert-joint.ts';
+
+/**
+ * Returns the coordinate that limits and motors of a joint act on: of `revolute` and `weld` the angle of b from a, rad, 0 as the
+ * bodies were when they were joined; of `prismatic` and `wheel` the distance along the axis, m; of `distance` that of its
+ * anchors, m.
+ * @throws PhysicsError E_STALE when there is no joint with this id, E_RANGE for a joint of another kind, E_DESTROYED
+ */
+export function jointPosition(world: PhysicsWorld, joint: number): number {
+  assertJoint(world, joint);
+  const { Joint, Rotation } = world.components;
+  const [a, b] = [Joint.a[joint], Joint.b[joint]];
+  const kind = JOINT_KINDS[Joint.kind[joint]];
+  if (kind === 'revolute' || kind === 'weld') return Rotation.angle[b] - Rotation.angle[a] - Joint.angle[joint];
+  const { x, y } = betweenAnchors(world, joint);
+  if (kind === 'distance') return Math.sqrt(x * x + y * y);
+  if (kind === 'prismatic' || kind === 'wheel') {
+    const direction = Rotation.angle[a] + Joint.axis[joint];
+    return x * cos(direction) + y * sin(direction);
+  }
+  throw new PhysicsError('E_RANGE', `joint ${joint}, a ${kind} joint, has no position along or about one direction.`, {
+    entity: joint,
+    field: 'joint',
+    value: joint,
+    hint: 'Ask a revolute, weld, prismatic, wheel or distance joint.',
+  });
+}
+
+/** The vector from the anchor of a to that of b, m. */
+function betweenAnchors(world: PhysicsWorld, joint: number) {
+  const { a, b, ax, ay, bx, by } = world.components.Joint;
+  const from = toWorld(world, a[joint], ax[joint], ay[joint]);
+  const to = toWorld(world, b[joint], bx[joint], by[joint]);
+  return { x: to.x - from.x, y: to.y - from.y };
+}
+
+/** A point given in the frame of a body, or of the world, row 0. */
+function toWorld({ components: { Position, Rotation } }: PhysicsWorld, body: number, x: number, y: number) {
+  const [c, s] = [cos(Rotation.angle[body]), sin(Rotation.angle[body])];
+  return { x: Position.x[body] + c * x - s * y, y: Position.y[body] + s * x + c * y };
+}
