@@ -3,12 +3,11 @@
 import { rigidKernels } from '../collision/kernels.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { writeShape } from '../collision/shapes/store-shape.ts';
-import { BITS_HINT } from '../components/collider.ts';
 import type { RealColumn } from '../components/define.ts';
 import { bitOf } from '../components/membership.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole } from '../errors/validate.ts';
+import { checkFlag, checkKeys, checkNumber, checkVector } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
@@ -18,16 +17,11 @@ import { placeParts } from '../solver/refresh-parts.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { type BodyFilter, checkBodyFilter } from './body-filter.ts';
 import { visitWalls, type WallQuery } from './walls.ts';
 
 /** What a query is about. */
-export interface QueryFilter {
-  /** Layers, one bit each: bodies that are on none of them are left out. Default all. */
-  readonly mask?: number;
-  /** A body, with its parts, or a wall that is left out, such as the one that asks; or a list of them. Default none. */
-  readonly ignore?: number | readonly number[];
-  /** Whether sensors are seen; default false. */
-  readonly sensors?: boolean;
+export interface QueryFilter extends BodyFilter {
   /** Whether walls are seen: segments, planes and those of `boxWalls`, which are on all layers; default true. */
   readonly walls?: boolean;
 }
@@ -113,14 +107,22 @@ export function openQuery(
   filter: QueryFilter,
   shape?: Shape,
 ): RunningQuery {
-  const { mask = 0xffffffff, ignore = [] } = filter;
+  const { mask, ignored, seesSensors } = checkBodyFilter(filter);
   placeParts(world);
   const { at, shapeAt, words, reals } = queryMemory(world);
   const { Rotation, Collider } = world.addresses;
-  const ignored = checkIds(ignore);
-  const checked = [checkWhole(mask, 'mask', 0, 0xffffffff, BITS_HINT), ignored[0] ?? 0];
-  const seesSensors = checkFlag(filter.sensors, 'sensors') ? 1 : 0;
-  words.set([BODY, ...checked, world.lastId, Rotation.angle, Collider.layers, Collider.sensor, seesSensors, 0, 0]);
+  const { angle } = Rotation;
+  const seen = [
+    BODY,
+    mask,
+    ignored[0] ?? 0,
+    world.lastId,
+    angle,
+    Collider.layers,
+    Collider.sensor,
+    Number(seesSensors),
+  ];
+  words.set([...seen, 0, 0]);
   reals.set([path.x, path.y, cos(path.angle), sin(path.angle), path.dx, path.dy, 1, reach]);
   if (shape !== undefined) writeShape(world, shapeAt, shape);
   const seesWalls = checkFlag(filter.walls ?? true, 'walls');
@@ -132,11 +134,6 @@ export function openQuery(
 }
 
 /** @throws PhysicsError E_TYPE, E_RANGE */
-function checkIds(ignore: number | readonly number[]): readonly number[] {
-  const ids = Array.isArray(ignore) ? (ignore as readonly number[]) : [ignore as number];
-  return ids.map((id) => checkWhole(id, 'ignore', 0, 0xffffffff)).filter((id) => id > 0);
-}
-
 /** The hit that the kernel wrote. */
 export function readHit({ reals }: RunningQuery, body: number, isWall: boolean): Hit {
   return {

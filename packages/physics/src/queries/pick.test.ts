@@ -36,6 +36,20 @@ test('depth counts in 3D alone', () => {
   expect(bodyAt(deep, { z: 7 })).toBe(0);
 });
 
+test('sensors, layers and bodies can be left out', () => {
+  const world = createPhysicsWorld();
+  const crate = spawn(world, { position: { x: 0.5 }, collider: { radius: 1, layers: 2 } });
+  const area = spawn(world, { position: {}, collider: { radius: 5, sensor: true } });
+  const drawn = spawn(world, { position: { x: 0.7 }, appearance: { size: 2 } });
+  const at = (options = {}) => bodyAt(world, { x: 0.1 }, options);
+  expect(at()).toBe(crate);
+  expect(at({ sensors: true })).toBe(area);
+  expect(at({ mask: 1 })).toBe(drawn);
+  expect(at({ ignore: crate })).toBe(drawn);
+  expect(at({ ignore: [crate, drawn] })).toBe(0);
+  expect(() => at({ mask: -1 })).toThrow(/E_RANGE/);
+});
+
 test('rejects invalid points and margins, and destroyed worlds', () => {
   const world = createPhysicsWorld();
   expect(() => bodyAt(world, { x: NaN })).toThrow(expect.objectContaining({ code: 'E_NONFINITE' }));

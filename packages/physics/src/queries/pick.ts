@@ -8,16 +8,17 @@ import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors
 import { cos, sin } from '../math/elementary.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { type BodyFilter, type CheckedFilter, checkBodyFilter } from './body-filter.ts';
 
 /** Options of picking a body by a point. */
-export interface PickOptions {
+export interface PickOptions extends BodyFilter {
   /** Tolerance around a body, m: touch input is imprecise. Default 0. */
   readonly margin?: number;
 }
 
 /**
  * Returns the body at a point: of the bodies whose collider or drawn size contains it, the one with the nearest centre;
- * of equally near bodies, the one with the smaller id. Includes bodies created since the last step, and of the entities of an
+ * of equally near bodies, the one with the smaller id. Leaves sensors out, unless `sensors` says otherwise. Includes bodies created since the last step, and of the entities of an
  * emitter its living particles. Tests every body.
  * @param point metres; in 2D only x and y are used
  * @returns its entity id, or 0 if there is none
@@ -26,8 +27,9 @@ export interface PickOptions {
 export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOptions = {}): number {
   assertUsable(world);
   const { x, y, z } = checkVector(point, 'point');
-  checkKeys(options, 'bodyAt', ['margin']);
+  checkKeys(options, 'bodyAt', ['margin', 'mask', 'ignore', 'sensors']);
   const margin = checkNumber(options.margin ?? 0, 'margin', { min: 0 });
+  const filter = checkBodyFilter(options);
   placeParts(world);
   const { ids, count } = withoutWaiting(world, bodies(world));
   const { Position, Collider, Appearance } = world.components;
@@ -40,7 +42,7 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
     const dy = Position.y[id] - y;
     const dz = (Position.z[id] - z) * depth;
     const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    if (!(distance < nearest)) continue;
+    if (!(distance < nearest) || !isSeen(world, id, filter)) continue;
     const shape = Collider.shape[id] > 0 ? shapeAt(world, Collider.shape[id]) : undefined;
     const reach = Math.max(shape?.extent ?? Collider.radius[id], Appearance.size[id]) + margin;
     if (distance <= reach && isNearShape(world, id, shape, -dx, -dy, margin)) {
@@ -49,6 +51,14 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
     }
   }
   return found;
+}
+
+/** What has no collider is on all layers. */
+function isSeen({ components }: PhysicsWorld, id: number, { mask, ignored, seesSensors }: CheckedFilter): boolean {
+  const { Attachment, Collider } = components;
+  const { radius, layers, sensor } = Collider;
+  if (radius[id] > 0 && ((layers[id] & mask) === 0 || (sensor[id] !== 0 && !seesSensors))) return false;
+  return ignored.length === 0 || !(ignored.includes(id) || ignored.includes(Attachment.body[id]));
 }
 
 /** Whether a point, given from the centre of a body, is within a distance of its shape; discs and balls have none. */
