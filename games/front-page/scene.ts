@@ -1,5 +1,5 @@
 /** The live scene at the head of the front page: dust on orbits about a star, which the pointer stirs. */
-import { attractors, createPhysicsWorld, createRandom, createRunner, spawn, spawnMany } from '@principia/physics';
+import { attractors, createPhysicsWorld, createRunner, spawn, spawnMany } from '@principia/physics';
 
 const COUNT = 700;
 /** Gravitational parameters of the star and of the pointer, m³/s². */
@@ -9,18 +9,25 @@ const [INNER, OUTER] = [1.6, 6.4];
 /** Height that the canvas shows, m. */
 const VISIBLE = 9;
 
+/**
+ * A number from 0 to 1, evenly spread over i and the three axes. Source: the sequence R3 of Roberts, "The unreasonable
+ * effectiveness of quasirandom sequences" (2018).
+ */
+function spread(i: number, axis: 0 | 1 | 2): number {
+  return (0.5 + i * [0.8191725134, 0.6710436067, 0.5497004779][axis]) % 1;
+}
+
 function createDust() {
   const world = createPhysicsWorld({ capacity: COUNT + 2, precision: 'f32', forces: [attractors()] });
   const softening = 0.35;
   spawn(world, { position: {}, attractor: { mu: STAR, softening } });
   const stirrer = spawn(world, { position: { y: 1e4 }, attractor: { mu: POINTER, softening: 0.8 } });
-  const random = createRandom(7);
   const axis = () => new Float64Array(COUNT);
   const [x, y, vx, vy] = [axis(), axis(), axis(), axis()];
   for (let i = 0; i < COUNT; i++) {
-    const r = INNER + (OUTER - INNER) * Math.sqrt(random.uniform());
-    const angle = random.uniform(0, 2 * Math.PI);
-    const speed = Math.sqrt(STAR / r) * random.uniform(0.96, 1.04);
+    const r = INNER + (OUTER - INNER) * Math.sqrt(spread(i, 0));
+    const angle = 2 * Math.PI * spread(i, 1);
+    const speed = Math.sqrt(STAR / r) * (0.96 + 0.08 * spread(i, 2));
     x[i] = r * Math.cos(angle);
     y[i] = r * Math.sin(angle);
     vx[i] = -speed * Math.sin(angle);

@@ -51,11 +51,14 @@ export function resource<T>(
 /** Returns the state at a key, created on first use. If that throws, the memory it allocated is free again. */
 export function stateAt<T>(world: PhysicsWorld, key: ResourceKey, create: (world: PhysicsWorld) => T): T {
   assertUsable(world);
+  const state = world.internal.resources.get(key) as T | undefined;
+  return state === undefined ? createState(world, key, create) : state;
+}
+
+/** Apart from `stateAt`, because a function with a closure in it makes an object at every call. */
+function createState<T>(world: PhysicsWorld, key: ResourceKey, create: (world: PhysicsWorld) => T): T {
   const { resources, arena } = world.internal;
-  let state = resources.get(key) as T | undefined;
-  if (state === undefined) {
-    state = allocateTogether(arena, world.kernels.findPage, () => create(world));
-    resources.set(key, state);
-  }
+  const state = allocateTogether(arena, world.kernels.findPage, () => create(world));
+  resources.set(key, state);
   return state;
 }
