@@ -12,7 +12,7 @@ export interface Layout {
   readonly bar: HTMLElement;
   /** Settings, plot and statistics, from top to bottom. */
   readonly sidebar: HTMLElement;
-  /** Margins of the stage that toolbar, sidebar and the bar of the recorded time cover. */
+  /** Margins of the stage that toolbar, sidebar and timeline cover. */
   insets(): Insets;
   /** Shows or hides the sidebar; without an argument, toggles it. */
   toggleSidebar(shown?: boolean): void;

@@ -2,6 +2,7 @@
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, ParameterSource, PhysicsWorld } from '../world/types.ts';
+import { firstRow } from './first-row.ts';
 
 export function warnAboutForces(world: PhysicsWorld): void {
   warnAboutRepeatedForces(world);
@@ -111,10 +112,4 @@ function warnAboutTorques(world: PhysicsWorld): void {
     hint: `Spawn it with ${pose} as well.`,
   };
   warnOnce(world, warning, 'torque without AngularVelocity');
-}
-
-/** The first row that has what is asked for, 0 if there is none. */
-export function firstRow({ lastId }: PhysicsWorld, has: (id: number) => boolean): number {
-  for (let id = 1; id <= lastId; id++) if (has(id)) return id;
-  return 0;
 }

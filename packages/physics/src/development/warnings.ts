@@ -5,7 +5,8 @@ import { JOINT_KINDS } from '../components/joint.ts';
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld, Plan, Warning } from '../world/types.ts';
-import { constantsOf, firstRow, warnAboutForces } from './force-warnings.ts';
+import { firstRow } from './first-row.ts';
+import { constantsOf, warnAboutForces } from './force-warnings.ts';
 
 /** The default of `world.onWarning`. */
 export function printWarning({ message, hint }: Warning): void {

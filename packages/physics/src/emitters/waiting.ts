@@ -17,7 +17,7 @@ const waitingMemory = resource(
 );
 
 /**
- * Returns the bodies of a list but those that wait in the pool of an emitter. It is the list itself in a world without
+ * Returns the bodies of a list except those that wait in the pool of an emitter. It is the list itself in a world without
  * emitters, and otherwise the same object at every call.
  */
 export function withoutWaiting<List extends { readonly ids: ArrayLike<number>; readonly count: number }>(

@@ -11,7 +11,7 @@ interface Block {
 /** Memory that forces gave back: the arena of a world frees none. */
 const idleBlocks = resource((): Block[] => []);
 
-/** Returns the address of so many zero bytes. @throws PhysicsError E_CAPACITY */
+/** Returns the address of a block of this size, all zero. @throws PhysicsError E_CAPACITY */
 export type TakeBytes = (bytes: number, what: string) => number;
 
 /** State of a force, one per world. */

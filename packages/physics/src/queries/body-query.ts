@@ -111,18 +111,9 @@ export function openQuery(
   placeParts(world);
   const { at, shapeAt, words, reals } = queryMemory(world);
   const { Rotation, Collider } = world.addresses;
-  const { angle } = Rotation;
-  const seen = [
-    BODY,
-    mask,
-    ignored[0] ?? 0,
-    world.lastId,
-    angle,
-    Collider.layers,
-    Collider.sensor,
-    Number(seesSensors),
-  ];
-  words.set([...seen, 0, 0]);
+  const checked = [mask, ignored[0] ?? 0, world.lastId];
+  const columns = [Rotation.angle, Collider.layers, Collider.sensor];
+  words.set([BODY, ...checked, ...columns, Number(seesSensors), 0, 0]);
   reals.set([path.x, path.y, cos(path.angle), sin(path.angle), path.dx, path.dy, 1, reach]);
   if (shape !== undefined) writeShape(world, shapeAt, shape);
   const seesWalls = checkFlag(filter.walls ?? true, 'walls');

@@ -34,7 +34,7 @@ function dropKnown(t: RigidTable): i32 {
   for (let i = 0; i < t.pairCount; i++) {
     const key = keyAt(t.pairs, i);
     while (at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) < key) at++;
-    if (key == last || (at < t.contactCount && isOf(t, contactAt(t, word(t.order, at)), key))) continue;
+    if (key == last || (at < t.contactCount && isContactOf(t, contactAt(t, word(t.order, at)), key))) continue;
     last = key;
     if (kept == t.freeCount) {
       t.droppedCount++;
@@ -52,7 +52,7 @@ function dropKnown(t: RigidTable): i32 {
 }
 
 // Whether it is the contact of a pair of shapes, and of the bodies to which these now belong.
-function isOf(t: RigidTable, contact: RigidContact, key: u64): bool {
+function isContactOf(t: RigidTable, contact: RigidContact, key: u64): bool {
   if (keyOf(contact) != key || !isCurrent(t, contact)) return false;
   return contact.bodyA == bodyOf(t, contact.a) && contact.bodyB == bodyOf(t, contact.b);
 }
