@@ -1,7 +1,8 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
 export type { ShapeInput } from './bodies/collider-shape.ts';
-export { applyImpulse, type ExplosionOptions, explode } from './bodies/impulse.ts';
+export { type ExplosionOptions, explode } from './bodies/explode.ts';
+export { applyImpulse } from './bodies/impulse.ts';
 export { ballInertia, ballMass, boxInertia, cylinderInertia, discInertia, discMass } from './bodies/inertia.ts';
 export type { Many, ManyInput } from './bodies/many.ts';
 export { bodyOf, partsOf } from './bodies/parts.ts';
@@ -222,7 +223,7 @@ export type { ShouldCollide } from './solver/ask-user.ts';
 export { type ContactEvents, type ContactHits, type ContactPairs, contactEvents } from './solver/contact-events.ts';
 export { type BodyIds, type MotionEvents, motionEvents } from './solver/motion-events.ts';
 export { type SensorEvents, type SensorPairs, sensorEvents } from './solver/sensor-events.ts';
-export { asleepCount, isAsleep, wake } from './solver/sleep.ts';
+export { asleepCount, isAsleep, putToSleep, wake } from './solver/sleep.ts';
 export { type SoftStepOptions, softStep } from './solver/soft-step.ts';
 export { createPhysicsWorld, destroyWorld, type PhysicsWorldOptions } from './world/create-world.ts';
 export { type EventMap, type EventName, type Handler, on } from './world/event-handlers.ts';

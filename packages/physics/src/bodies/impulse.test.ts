@@ -83,6 +83,16 @@ describe('impulses', () => {
     expect(() => explode(world, { impulse: 1, radius: -1 })).toThrow(PhysicsError);
   });
 
+  test('an explosion with a mask leaves out colliders on other layers', () => {
+    const world = createPhysicsWorld({ preset: rigidBodies });
+    const [debris, wall, point] = [{ radius: 0.1, layers: 2 }, { radius: 0.1, layers: 4 }, undefined].map(
+      (collider, i) => spawn(world, { position: { x: 1 + i }, mass: 1, ...(collider && { collider }) }),
+    );
+    explode(world, { impulse: 3, radius: 10, falloff: 0, mask: 2 });
+    expect([debris, wall, point].map((id) => world.components.Velocity.x[id])).toEqual([3, 0, 3]);
+    expect(() => explode(world, { impulse: 1, radius: 1, mask: -1 })).toThrow(/explode\.mask/);
+  });
+
   test('equal bodies around an explosion keep the momentum', () => {
     const world = createPhysicsWorld({ capacity: 50 });
     for (let i = 0; i < 12; i++) {

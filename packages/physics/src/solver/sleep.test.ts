@@ -9,6 +9,7 @@ import {
   isAsleep,
   type PhysicsWorld,
   type PhysicsWorldOptions,
+  putToSleep,
   restore,
   snapshot,
   softStep,
@@ -133,6 +134,83 @@ test('what moves without mass carries bodies, wakes them and keeps them awake', 
   run(world, 3);
   expect(isAsleep(world, load)).toBe(false);
   expect(world.components.Velocity.x[load]).toBeCloseTo(0.5, 3);
+});
+
+describe('putToSleep', () => {
+  test('a new stack sleeps after one step, exactly where it is, until something hits it', () => {
+    const world = rigidWorld();
+    addGround(world);
+    const stack = [0, 1, 2].map((i) => addBox(world, 0, 0.5 + i));
+    const apart = addBox(world, 10, 0.5);
+    putToSleep(world, stack[1]);
+    step(world, DT);
+    expect(stack.map((id) => isAsleep(world, id))).toEqual([true, true, true]);
+    expect(isAsleep(world, apart)).toBe(false);
+    const before = stack.map((id) => world.components.Position.y[id]);
+    run(world, 1);
+    expect(stack.map((id) => world.components.Position.y[id])).toEqual(before);
+    applyImpulse(world, stack[2], { x: 1 });
+    step(world, DT);
+    expect(isAsleep(world, stack[0])).toBe(false);
+  });
+
+  test('what flies stops in the air, and wakes by `wake`', () => {
+    const world = rigidWorld();
+    const ball = spawn(world, { position: { y: 5 }, velocity: { x: 3 }, collider: { radius: 0.2, density: 1 } });
+    run(world, 0.5);
+    putToSleep(world, ball);
+    run(world, 1);
+    const { Position, Velocity } = world.components;
+    expect([Velocity.x[ball], Velocity.y[ball]]).toEqual([0, 0]);
+    expect(Position.x[ball]).toBeCloseTo(3 * (0.5 + DT), 12);
+    wake(world, ball);
+    run(world, 1);
+    expect(Velocity.y[ball]).toBeCloseTo(-9.81, 1);
+  });
+
+  test('it counts once, and not for another body of the same id', () => {
+    const world = rigidWorld();
+    const gone = addBox(world, 0, 5);
+    putToSleep(world, gone);
+    despawn(world, gone);
+    const next = addBox(world, 0, 5);
+    expect(next).toBe(gone);
+    run(world, 1);
+    expect(isAsleep(world, next)).toBe(false);
+    putToSleep(world, next);
+    step(world, DT);
+    wake(world, next);
+    run(world, 1);
+    expect(isAsleep(world, next)).toBe(false);
+  });
+
+  test('NeverSleep and a sleep time of 0 win', () => {
+    const world = rigidWorld({ integrator: softStep({ sleepTime: 0 }) });
+    const box = addBox(world, 0, 5);
+    putToSleep(world, box);
+    run(world, 3 * DT);
+    expect(isAsleep(world, box)).toBe(false);
+    const other = rigidWorld();
+    const sleepless = spawn(other, { position: {}, neverSleep: {}, collider: { radius: 1, density: 1 } });
+    putToSleep(other, sleepless);
+    run(other, 1);
+    expect(other.components.Velocity.y[sleepless]).toBeLessThan(-9);
+  });
+
+  test('asked between a snapshot and the next step it is forgotten by restore, asked before it is done', () => {
+    const world = rigidWorld();
+    const ball = addBox(world, 0, 5);
+    step(world, DT);
+    const before = snapshot(world);
+    putToSleep(world, ball);
+    const asked = snapshot(world);
+    restore(world, before);
+    step(world, DT);
+    expect(isAsleep(world, ball)).toBe(false);
+    restore(world, asked);
+    step(world, DT);
+    expect(isAsleep(world, ball)).toBe(true);
+  });
 });
 
 test('with a sleep time of 0 nobody sleeps', () => {

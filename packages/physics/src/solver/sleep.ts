@@ -2,11 +2,12 @@
 // someone changes their columns.
 import { bodyOf } from '../bodies/parts.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { resource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
-import { ASLEEP, PART, WAKES } from './row-flags.ts';
+import { ASLEEP, PART, TIRED, WAKES } from './row-flags.ts';
 
 function flagsOf(world: PhysicsWorld): Uint32Array {
   if (!isSoftStep(world.integrator)) return new Uint32Array(0);
@@ -34,4 +35,33 @@ export function asleepCount(world: PhysicsWorld): number {
 export function wake(world: PhysicsWorld, body: number): void {
   if (!isAsleep(world, body)) return;
   flagsOf(world)[bodyOf(world, body)] |= WAKES;
+}
+
+/** Bodies that are put to sleep in the next step, and their generations. */
+const tiredBodies = resource(() => ({ ids: [] as number[], generations: [] as number[] }));
+
+/**
+ * Puts a body to sleep at the end of the next step, with all that it touches or that is joined to it, even if they move: their
+ * velocities become zero. They wake as other bodies do. A body with NeverSleep wakes at once; no body sleeps in worlds without
+ * rigid bodies, or if `sleepTime` is 0. @throws PhysicsError E_STALE, E_DESTROYED
+ */
+export function putToSleep(world: PhysicsWorld, body: number): void {
+  const row = bodyOf(world, body);
+  if (!isSoftStep(world.integrator)) return;
+  const { ids, generations } = tiredBodies(world);
+  ids.push(row);
+  generations.push(world.internal.generations[row]);
+}
+
+/** Tells the step which bodies are put to sleep. */
+export function markTired(world: PhysicsWorld): void {
+  const { ids, generations } = tiredBodies(world);
+  if (ids.length === 0) return;
+  const flags = flagsOf(world);
+  for (let i = 0; i < ids.length; i++) {
+    const isSame = world.internal.generations[ids[i]] === generations[i];
+    if (isSame && rigidTable(world).numbers[Value.sleepTime] > 0) flags[ids[i]] |= TIRED;
+  }
+  ids.length = 0;
+  generations.length = 0;
 }

@@ -70,6 +70,8 @@ export const WALL: u32 = 131072;
 export const COMBINES: u32 = 262144;
 // A joint drives it in this step: with a motor or a spring, or as a pulley or a gear.
 export const DRIVEN: u32 = 524288;
+// Its island is put to sleep at the end of this step.
+export const TIRED: u32 = 1048576;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

@@ -1,4 +1,4 @@
-// External forces: engines and blasts.
+// External forces: engines.
 import { columns, get, put } from '../memory/columns';
 import { logarithm } from '../math/elementary';
 
@@ -44,34 +44,5 @@ export function burnFuel(engines: usize, dt: f64, first: i32, last: i32): void {
     put(tx, row, <real>(magnitude * <f64>get(e.x, row)));
     put(ty, row, <real>(magnitude * <f64>get(e.y, row)));
     put(tz, row, <real>(magnitude * <f64>get(e.z, row)));
-  }
-}
-
-// Applies a blast to rows [0, last): impulse J (1 - r/R)^fall along r, within R. At r = 0 there is no direction and no impulse.
-// Bodies with the bit `kinematic` stay as they are.
-export function blast(
-  cx: f64,
-  cy: f64,
-  cz: f64,
-  impulse: f64,
-  radius: f64,
-  fall: i32,
-  kinematic: u32,
-  last: i32,
-): void {
-  const c = columns();
-  for (let row = 0; row < last; row++) {
-    const mass = <f64>get(c.mass, row);
-    if (!(mass > 0) || (load<u32>(c.members + ((<usize>row) << 2)) & kinematic) != 0) continue;
-    const x = <f64>get(c.positionX, row) - cx;
-    const y = <f64>get(c.positionY, row) - cy;
-    const z = <f64>get(c.positionZ, row) - cz;
-    const r = sqrt<f64>(x * x + y * y + z * z);
-    if (!(r > 0) || r >= radius) continue;
-    let magnitude = impulse / (mass * r);
-    for (let i = 0; i < fall; i++) magnitude *= 1 - r / radius;
-    put(c.velocityX, row, get(c.velocityX, row) + <real>(magnitude * x));
-    put(c.velocityY, row, get(c.velocityY, row) + <real>(magnitude * y));
-    put(c.velocityZ, row, get(c.velocityZ, row) + <real>(magnitude * z));
   }
 }
