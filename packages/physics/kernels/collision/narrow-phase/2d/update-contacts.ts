@@ -40,6 +40,7 @@ import { collideShapes } from './collide-shapes';
 import { freeContact, isCurrent, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, reachOf } from './far-points';
 import { Manifold, setPoses } from './manifold';
+import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
 import { passesThrough } from './one-way';
 import {
@@ -236,12 +237,13 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.shapeB = <u32>word(c.shape, contact.b);
   const shapeA = shapeAt(t, contact.a, spareA);
   const shapeB = shapeAt(t, contact.b, spareB);
-  collideShapes(m, shapeA, shapeB);
-  dropFarPoints(t, contact, m, shapeA, shapeB);
   contact.ac = a.c;
   contact.as = a.s;
   contact.bc = b.c;
   contact.bs = b.s;
+  moveToMiddle(t, contact, m, shapeA, shapeB);
+  collideShapes(m, shapeA, shapeB);
+  dropFarPoints(t, contact, m, shapeA, shapeB);
   contact.dx = m.bx;
   contact.dy = m.by;
   // A predicted manifold is computed again in the next step.

@@ -1,0 +1,64 @@
+// Bodies that slide and roll over curved surfaces: the normal turns as they go, and no energy may come of it.
+import { attractors, type PhysicsWorld, spawn, spawnChain } from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
+
+const G = 9.81;
+
+/** A half circle that is open above, of chords that are far shorter than the body. */
+function addBowl(world: PhysicsWorld, radius: number, friction: number): void {
+  const points = Array.from({ length: 401 }, (_, i) => {
+    const angle = (-Math.PI * i) / 400;
+    return { x: radius * Math.cos(angle), y: radius * Math.sin(angle) };
+  });
+  spawnChain(world, points, { friction });
+}
+
+/** The largest angle from the lowest point in each of some times of equal length. */
+function swings(world: PhysicsWorld, body: number, times: number, length: number): number[] {
+  const { x, y } = world.components.Position;
+  return Array.from({ length: times }, () => {
+    let most = 0;
+    for (let i = 0; i * DT < length; i++) {
+      run(world, DT);
+      most = Math.max(most, Math.abs(Math.atan2(x[body], -y[body])));
+    }
+    return most;
+  });
+}
+
+describe.each([
+  ['slides', 0],
+  ['rolls', 1],
+])('a ball that %s in a bowl', (_, friction) => {
+  test.each([1, 2, 5])('of radius %s m rises no higher, minute after minute', (radius) => {
+    const world = rigidWorld();
+    addBowl(world, radius, friction);
+    const ball = 0.2 * radius;
+    const way = radius - ball;
+    const position = { x: way * Math.sin(0.3), y: -way * Math.cos(0.3) };
+    const body = spawn(world, { position, collider: { radius: ball, density: 100, friction } });
+    const heights = swings(world, body, 4, 15);
+    // In the first swing it may come down and settle by the slop.
+    for (const angle of heights) expect(angle).toBeLessThan(0.302);
+    // What is lost: an inelastic polygon of one side a step, v²dt/2R² of the speed in a second, and the chords as much again.
+    const speed = 0.3 * Math.sqrt(G * way);
+    const loss = ((speed * speed) / 2) * (DT / (2 * way * way) + Math.PI / 400 / way / 2) * 60;
+    expect(heights[3]).toBeGreaterThan(0.3 * Math.exp(-4 * loss) - 0.15);
+  });
+});
+
+test('a ball that slides round a fixed ball keeps its speed to half a per cent a second', () => {
+  const world = rigidWorld({ forces: [attractors()] });
+  const [R, r] = [5, 0.3];
+  const g = 8.7;
+  spawn(world, { position: {}, attractor: g * (R + r) * (R + r) });
+  spawn(world, { position: {}, collider: { radius: R, friction: 0 } });
+  const collider = { radius: r, density: 1, friction: 0 };
+  const body = spawn(world, { position: { y: R + r }, velocity: { x: 1 }, collider });
+  run(world, 10);
+  const speed = Math.hypot(world.components.Velocity.x[body], world.components.Velocity.y[body]);
+  // What is left is the error of a sub-step, g h/2R; the normal of the start of the step lost g dt/2R of the speed in a second.
+  expect(speed).toBeGreaterThan(1 - 0.005);
+  expect(speed).toBeLessThan(Math.exp((g * (DT / 4) * 10) / (2 * (R + r))) + 0.005);
+});
