@@ -69,10 +69,14 @@ async function buildModules({ quiet = false, force = false, from = kernelFolder,
   const map = readLowMemoryMap(from);
   const modules = modulesIn(from, map);
   const compiler = whatCompiles();
-  const layouts = headerOf(hashOf(from, allSources(from), compiler));
+  const hash = hashOf(from, allSources(from), compiler);
+  const layouts = headerOf(hash);
   const isStale = (/** @type {string} */ file, /** @type {string} */ header) =>
     force || !existsSync(file) || !readFileSync(file, 'utf8').startsWith(header);
-  if (isStale(layoutsFile(to), layouts)) write(layoutsFile(to), `${layouts}${await layoutsText(from, map)}`);
+  if (isStale(layoutsFile(to), layouts)) {
+    const version = `/** Identifies the sources of all kernels. */\nexport const KERNEL_SOURCES = '${hash}';\n`;
+    write(layoutsFile(to), `${layouts}${version}${await layoutsText(from, map)}`);
+  }
   let compiled = false;
   for (const module of modules) {
     const room = JSON.stringify(module.constants);

@@ -4,7 +4,7 @@ import { rigidKernels } from '../collision/kernels.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONTACT_VIEW_BYTES } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { checkLists } from './check-lists.ts';
@@ -35,7 +35,7 @@ export interface ContactPoints {
 /** Bytes of ids and colour at the start of the record. */
 const WORD_BYTES = 16;
 
-const viewOf = resource((world) => {
+const viewOf = namedResource('contact points', (world) => {
   const { internal, memory, precision } = world;
   const bytes = CONTACT_VIEW_BYTES[precision];
   const at = allocate(internal.arena, bytes, 'contact points');

@@ -5,7 +5,7 @@ import type { Node } from '../laws/node.ts';
 import type { StageData } from '../laws/scheme.ts';
 import { type Axes, eachAxis, zeroVector } from '../laws/vector-algebra.ts';
 import { realColumn } from '../memory/columns.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
 import { rangeTests } from './loop-checks.ts';
 import { notesOf } from './notes.ts';
@@ -14,7 +14,7 @@ import { velocityChange } from './sum-of-laws.ts';
 import type { WorldColumns } from './world-columns.ts';
 
 /** Columns for intermediate values: those of the scratch first, then additional ones, which later schemes reuse. */
-export const intermediateColumns = resource(({ scratch: { at } }): number[] =>
+export const intermediateColumns = namedResource('intermediate columns', ({ scratch: { at } }): number[] =>
   [at.stage1, at.stage2].flatMap(({ x, y, z }) => [x, y, z]),
 );
 

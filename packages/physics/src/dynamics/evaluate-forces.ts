@@ -9,7 +9,7 @@ import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import { AXES } from '../memory/axes.ts';
 import { clearAxes } from '../memory/clear-axes.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { EvaluateForces, Force, PhysicsWorld, Ranges } from '../world/types.ts';
 import { layoutOf } from './layout.ts';
@@ -21,7 +21,7 @@ import { WorldColumns } from './world-columns.ts';
 import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
 /** Length of the step for which forces were last prepared, s. */
-export const preparedFor = resource(() => ({ dt: 0 }));
+export const preparedFor = namedResource('prepared step', () => ({ dt: 0 }));
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_DESTROYED */
 export const evaluateForces: EvaluateForces = (world, ranges, time) => {

@@ -3,7 +3,7 @@
 import type { Loop } from '../laws/compile.ts';
 import { WALL_LIST_BYTES, WallListWord } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { wallListBytes } from '../memory/wall-list.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Fusion, LocalSystem, PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
@@ -38,7 +38,7 @@ interface StepLoop extends WorldLoop {
 }
 
 /** The list of vectors of bodies beyond a wall. */
-const wallList = resource(({ internal, precision, rows }) =>
+const wallList = namedResource('wall list', ({ internal, precision, rows }) =>
   allocateRecord(internal.arena, wallListBytes(rows, precision), 'bodies at walls'),
 );
 

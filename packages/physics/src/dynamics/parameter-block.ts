@@ -1,7 +1,7 @@
 // The f64 values that a fused loop reads: length and time of the step, and the parameters of its laws for every stage
 // at whose time they are evaluated.
 import { allocate } from '../memory/arena.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
 
@@ -24,7 +24,10 @@ const [DT, TIME, TICK, LAST_DT, HEADER] = [0, 1, 2, 3, 4];
 const REGION_DOUBLES = 512;
 
 /** The memory that the blocks of the present plan share. */
-const regionOf = resource((world) => ({ at: allocateDoubles(world, REGION_DOUBLES), doubles: REGION_DOUBLES }));
+const regionOf = namedResource('parameter region', (world) => ({
+  at: allocateDoubles(world, REGION_DOUBLES),
+  doubles: REGION_DOUBLES,
+}));
 
 /** Number of f64 in use; a new plan starts at zero. */
 const usageOf = cachedWithPlan(() => ({ doubles: 0 }));

@@ -1,7 +1,7 @@
 // State that a scheme keeps between steps: vectors of each body, and the length of the step.
 import { allocateTogether } from '../memory/arena.ts';
 import { type AxisAddresses, axisColumns } from '../memory/columns.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
 
 /** Columns that a scheme keeps between steps, and the length of the last step. */
@@ -12,7 +12,7 @@ export interface SchemeMemory {
   last: number;
 }
 
-const memories = resource((): Map<string, SchemeMemory> => new Map());
+const memories = namedResource('scheme memories', (): Map<string, SchemeMemory> => new Map());
 
 export function schemeMemory(world: PhysicsWorld, scheme: Scheme): SchemeMemory {
   const existing = memories(world).get(scheme.structure);

@@ -2,7 +2,7 @@
 import { removeComponent } from 'bitecs';
 import { bitOf } from '../components/membership.ts';
 import type { MemoryRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { followBody } from './follow.ts';
 import { emitterKernels } from './kernels.ts';
@@ -15,7 +15,7 @@ import type { Emitter } from './types.ts';
  * The emitters of a world, in order of creation, and the number ever made, which selects the random stream of the
  * next.
  */
-export const emittersOf = resource(() => ({ list: [] as Emitter[], made: 0 }));
+export const emittersOf = namedResource('emitters', () => ({ list: [] as Emitter[], made: 0 }));
 
 /** Ages particles of all emitters, ends those whose life is over and creates new ones. */
 export function emitParticles(world: PhysicsWorld, dt: number): void {

@@ -5,7 +5,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
-import { markImmutable, resource } from '../memory/resource.ts';
+import { markImmutable, namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** A list of velocities in a world's memory, such as a ring or a sphere of sparks. */
@@ -53,7 +53,7 @@ export function createPattern(world: PhysicsWorld, velocities: readonly VectorIn
 }
 
 /** The patterns of a world. Restoring a snapshot removes patterns created since, whose memory is reused. */
-const patternsOf = resource(() => new Set<BurstPattern>());
+const patternsOf = namedResource('burst patterns', () => new Set<BurstPattern>());
 
 /** @throws PhysicsError E_RANGE for a pattern of another world, E_STALE for a pattern that a restored snapshot removed */
 export function checkPattern(world: PhysicsWorld, pattern: BurstPattern): void {

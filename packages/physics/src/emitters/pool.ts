@@ -6,7 +6,7 @@ import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { checkFlag } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterOptions } from './options.ts';
 import { BURST_BYTES, EMITTER_BYTES, MAX_RAMPS, W } from './record.ts';
@@ -29,7 +29,7 @@ export interface Block {
 }
 
 /** Free blocks of destroyed emitters: the world's memory is never released. */
-const idleBlocks = resource((): Block[] => []);
+const idleBlocks = namedResource('idle emitter blocks', (): Block[] => []);
 
 /** @throws PhysicsError E_CAPACITY */
 export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolean): Block {

@@ -153,6 +153,12 @@ export function checkFlag(value: unknown, field: string): boolean {
   return value === true;
 }
 
+/** Validates a text and returns it. @throws PhysicsError E_TYPE */
+export function checkText(value: unknown, field: string): string {
+  if (typeof value !== 'string') throw mustBe('a text', value, field);
+  return value;
+}
+
 /** Validates a choice and returns it. @throws PhysicsError E_RANGE unless it is one of `choices` */
 export function checkChoice<T extends string | number>(value: unknown, field: string, choices: readonly T[]): T {
   if (choices.includes(value as T)) return value as T;

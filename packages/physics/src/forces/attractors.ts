@@ -24,7 +24,7 @@ import { constant, type Scalar, type Vector, vec3 } from '../laws/expression.ts'
 import { scalar, suppliedScalar } from '../laws/parameter.ts';
 import { table } from '../laws/table.ts';
 import { CENTRE_BYTES, CENTRE_FIELDS } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { inverseWhere } from './support/central-force.ts';
 
@@ -34,7 +34,7 @@ const LIGHT_SPEEDS = { min: 1e-3, max: 1e12 };
 /** A centre at the start of the step: kernels/forces/attractors.ts. */
 type Centre = Readonly<Record<(typeof CENTRE_FIELDS)[number], Scalar>>;
 
-const centresOf = resource(emptyEntityList);
+const centresOf = namedResource('attractor centres', emptyEntityList);
 
 export interface AttractorsOptions {
   /** Speed of light c, m/s, which makes the centres black holes. By default the attraction is Newtonian. */

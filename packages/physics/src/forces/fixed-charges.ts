@@ -18,7 +18,7 @@ import { type Scalar, select, type Vector, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
 import { type TableLocation, table } from '../laws/table.ts';
 import { SOURCE_BYTES, SOURCE_FIELDS } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { POSITIVE } from './support/bounds.ts';
 import { inverseWhere } from './support/central-force.ts';
@@ -35,7 +35,7 @@ interface Sources extends EntityList {
   readonly fixed: { at: number; count: number };
 }
 
-const sourcesOf = resource((): Sources => ({ fixed: { at: 0, count: 0 }, ...emptyEntityList() }));
+const sourcesOf = namedResource('fixed charges', (): Sources => ({ fixed: { at: 0, count: 0 }, ...emptyEntityList() }));
 
 const law = /* @__PURE__ */ defineLaw({
   name: 'fixed charges',

@@ -18,7 +18,7 @@ import { realAddresses, realBytes } from '../memory/columns.ts';
 import { forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import { LIMITS_BYTES, LimitsNumber, LimitsWord } from '../memory/layouts.gen.ts';
 import { recordAt } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { checkForce } from '../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { forceKernels } from './support/force-kernels.ts';
@@ -31,7 +31,7 @@ import {
 } from './support/restrictions.ts';
 
 /** Saved force and torque columns, one set per nesting level of restricted forces. */
-const savesOf = resource((): number[][] => []);
+const savesOf = namedResource('saved forces', (): number[][] => []);
 let depth = 0;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room */
@@ -111,7 +111,7 @@ function prepareGroup(force: Force, limitsAt: (world: PhysicsWorld) => number): 
   };
 }
 
-const consumedColumns = resource(() => new Map<readonly ComponentName[], number[]>());
+const consumedColumns = namedResource('consumed columns', () => new Map<readonly ComponentName[], number[]>());
 
 /** Returns the addresses of all real columns of the given components. */
 function columnsOf(world: PhysicsWorld, consumed: readonly ComponentName[]): readonly number[] {

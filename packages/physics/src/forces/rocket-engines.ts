@@ -16,7 +16,7 @@ import { checkKeys } from '../errors/validate.ts';
 import { vec3 } from '../laws/expression.ts';
 import { ENGINE_COLUMNS_BYTES, EngineColumnsWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { forceKernels } from './support/force-kernels.ts';
 import { checkFrame } from './support/frame.ts';
@@ -58,7 +58,7 @@ function burn(world: PhysicsWorld, dt: number): void {
   forceKernels(world).burnFuel(engineColumns(world), dt, 0, world.lastId + 1);
 }
 
-const engineColumns = resource((world) => {
+const engineColumns = namedResource('engine columns', (world) => {
   const { at, words } = allocateRecord(world.internal.arena, ENGINE_COLUMNS_BYTES, 'rocket engines');
   const { fuel, burnRate, throttle, exhaustSpeed, x, y, z, thrustX, thrustY, thrustZ } = world.addresses.Engine;
   words.set([fuel, burnRate, throttle, exhaustSpeed], Word.fuel);

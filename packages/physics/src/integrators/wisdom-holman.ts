@@ -22,7 +22,7 @@ import { emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
 import { PLANET_BYTES } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { Integrator, PhysicsWorld } from '../world/types.ts';
 import { integratorKernels } from './support/integrator-kernels.ts';
 import { reportUnderflow } from './support/sub-steps.ts';
@@ -35,7 +35,7 @@ export interface WisdomHolmanOptions {
   readonly central?: number;
 }
 
-const planetsOf = resource(emptyEntityList);
+const planetsOf = namedResource('planets', emptyEntityList);
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {

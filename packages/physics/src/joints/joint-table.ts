@@ -22,7 +22,7 @@ import {
   JointTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -96,10 +96,10 @@ export interface EndedJoints {
   readonly removed: readonly number[];
 }
 
-export const endedOf = resource(() => ({ broken: [] as number[], removed: [] as number[] }));
+export const endedOf = namedResource('ended joints', () => ({ broken: [] as number[], removed: [] as number[] }));
 
 /** Takes memory for each row: a joint may be any entity. @throws PhysicsError E_CAPACITY */
-export const jointTable = resource((world): JointTable => {
+export const jointTable = namedResource('joint table', (world): JointTable => {
   const { arena } = world.internal;
   const { at, words } = allocateRecord(arena, JOINT_TABLE_BYTES, 'joints');
   words[Word.rigid] = rigidTable(world).at;

@@ -1,15 +1,18 @@
 // Memory of forces: a force that is replaced gives it back, and the force that replaces it takes it.
 import type { PhysicsWorld } from '../world/types.ts';
 import { allocate } from './arena.ts';
-import { ResourceKey, resource, stateAt } from './resource.ts';
+import { namedResource, ResourceKey, stateAt } from './resource.ts';
 
-interface Block {
+export interface Block {
   readonly at: number;
   readonly bytes: number;
 }
 
+/** The key of the state of a force, which follows from the options of the force and the world. */
+class ForceMemoryKey extends ResourceKey {}
+
 /** Memory that forces gave back: the arena of a world frees none. */
-const idleBlocks = resource((): Block[] => []);
+const idleBlocks = namedResource('idle force memory', (): Block[] => []);
 
 /** Returns the address of a block of this size, all zero. @throws PhysicsError E_CAPACITY */
 export type TakeBytes = (bytes: number, what: string) => number;
@@ -24,7 +27,7 @@ export interface ForceMemory<T> {
 
 /** As `resource`, for the state of a force that may be replaced, whose memory comes from `take`. */
 export function forceMemory<T>(create: (world: PhysicsWorld, take: TakeBytes) => T): ForceMemory<T> {
-  const key = new ResourceKey(false);
+  const key = new ForceMemoryKey(false);
   const make = (world: PhysicsWorld) => {
     const { top } = world.internal.arena;
     const blocks: Block[] = [];
@@ -49,6 +52,16 @@ export function forceMemory<T>(create: (world: PhysicsWorld, take: TakeBytes) =>
       world.internal.resources.delete(key);
     },
   };
+}
+
+/** Returns the blocks of a resource that is the state of a force, undefined of any other. */
+export function blocksOf(key: object, state: unknown): readonly Block[] | undefined {
+  return key instanceof ForceMemoryKey ? (state as { readonly blocks: readonly Block[] }).blocks : undefined;
+}
+
+/** Gives blocks to the next forces that need some. */
+export function addIdleBlocks(world: PhysicsWorld, blocks: readonly Block[]): void {
+  if (blocks.length > 0) idleBlocks(world).push(...blocks);
 }
 
 function takeBlock(world: PhysicsWorld, bytes: number, what: string): Block {

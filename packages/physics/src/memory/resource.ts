@@ -1,5 +1,5 @@
 import { assertUsable } from '../ecs/guards.ts';
-import { checkFlag, checkFunction, checkKeys, checkObject } from '../errors/validate.ts';
+import { checkFlag, checkFunction, checkKeys, checkObject, checkText } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { allocateTogether } from './arena.ts';
 
@@ -7,8 +7,24 @@ import { allocateTogether } from './arena.ts';
 export class ResourceKey {
   /**
    * @param excludeFromSnapshot whether snapshots leave the resource out
+   * @param name identifies the resource in an encoded snapshot, together with its number among those of the same name
+   * @param create the function that creates its state
    */
-  constructor(readonly excludeFromSnapshot: boolean) {}
+  constructor(
+    readonly excludeFromSnapshot: boolean,
+    readonly name: string = '',
+    readonly create?: (world: PhysicsWorld) => unknown,
+  ) {
+    if (name !== '') keysByName.set(name, keysByName.has(name) ? undefined : this);
+  }
+}
+
+/** The keys that are the only ones of their name. Each of several boxes has a key of the same name, for example. */
+const keysByName = new Map<string, ResourceKey | undefined>();
+
+/** Returns the key with this name, undefined if there is none or more than one. */
+export function onlyKeyNamed(name: string): ResourceKey | undefined {
+  return keysByName.get(name);
 }
 
 const immutables = new WeakSet<object>();
@@ -36,16 +52,22 @@ export function isImmutable(value: object): boolean {
  * Snapshots save the contents of plain objects, arrays, maps and typed arrays, and drop resources created after them.
  * @param options.excludeFromSnapshot excludes the resource from snapshots; for data that is not state of the world, such as event
  *   listeners
+ * @param options.name needed by `encodeSnapshot`, which finds the resource by it in another world
  */
 export function resource<T>(
   create: (world: PhysicsWorld) => T,
-  options: { readonly excludeFromSnapshot?: boolean } = {},
+  options: { readonly excludeFromSnapshot?: boolean; readonly name?: string } = {},
 ): (world: PhysicsWorld) => T {
   checkFunction(create, 'resource: create');
-  checkKeys(options, 'resource', ['excludeFromSnapshot']);
+  checkKeys(options, 'resource', ['excludeFromSnapshot', 'name']);
   const excludeFromSnapshot = checkFlag(options.excludeFromSnapshot, 'resource.excludeFromSnapshot');
-  const key = new ResourceKey(excludeFromSnapshot);
+  const key = new ResourceKey(excludeFromSnapshot, checkText(options.name ?? '', 'resource.name'), create);
   return (world) => stateAt(world, key, create);
+}
+
+/** A resource of this package. */
+export function namedResource<T>(name: string, create: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {
+  return resource(create, { name });
 }
 
 /** Returns the state at a key, created on first use. If that throws, the memory it allocated is free again. */

@@ -16,7 +16,7 @@ import { bitOf } from '../components/membership.ts';
 import { pow } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { activateContacts, contactTable } from '../particle-contacts/contact-table.ts';
 import { collisionKernels } from '../particle-contacts/kernels.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -37,7 +37,7 @@ interface State {
   readonly absorbedIds: number[];
 }
 
-const stateOf = resource((world): State => {
+const stateOf = namedResource('mergers', (world): State => {
   activateContacts(world);
   return { total: 0, lastStep: 0, into: new Uint32Array(world.rows), absorbedIds: [] };
 });

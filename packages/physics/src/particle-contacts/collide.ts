@@ -12,13 +12,13 @@
 // through each other within one step, at a relative speed above the sum of their diameters per step, do not collide.
 // Cost: `npm run bench -- circles --peers`, which also measures the same scene in plain JavaScript.
 
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { activateContacts } from './contact-table.ts';
 import { collisionKernels } from './kernels.ts';
 import { clampToSegments } from './segment-walls.ts';
 
-const contactsEnabled = resource((world) => {
+const contactsEnabled = namedResource('contacts enabled', (world) => {
   activateContacts(world);
   return true;
 });

@@ -7,7 +7,7 @@ import { writeContactTable } from '../memory/column-table.ts';
 import { realBytes } from '../memory/columns.ts';
 import { BODY_BYTES, CONTACT_TABLE_BYTES, ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The contacts of a world. */
@@ -54,7 +54,7 @@ export function contactBytesPerEntity(dimensions: 2 | 3, precision: Precision): 
 }
 
 /** Allocates the memory at the first call. @throws PhysicsError E_CAPACITY */
-export const contactTable = resource<ContactTable>((world) => {
+export const contactTable = namedResource<ContactTable>('contact table', (world) => {
   const { arena } = world.internal;
   const allocateBytes = (size: number) => allocate(arena, size, 'contacts');
   const { at, words } = allocateRecord(arena, CONTACT_TABLE_BYTES, 'contacts');

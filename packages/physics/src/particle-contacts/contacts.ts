@@ -2,7 +2,7 @@
 
 import type { RealColumn } from '../components/define.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
-import { markImmutable, resource } from '../memory/resource.ts';
+import { markImmutable, namedResource } from '../memory/resource.ts';
 import { emit, hasHandlers } from '../world/event-handlers.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { contactTable } from './contact-table.ts';
@@ -53,7 +53,7 @@ export interface WallContacts {
   readonly impulse: RealColumn;
 }
 
-const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
+const contactsOf = /* @__PURE__ */ namedResource<Contacts>('particle contacts', (world) => {
   const table = contactTable(world).words;
   const capacity = table[Word.capacity];
   const { reals, words } = viewers(world, capacity);
@@ -77,7 +77,7 @@ const contactsOf = /* @__PURE__ */ resource<Contacts>((world) => {
   });
 });
 
-const wallContactsOf = /* @__PURE__ */ resource<WallContacts>((world) => {
+const wallContactsOf = /* @__PURE__ */ namedResource<WallContacts>('wall contacts', (world) => {
   const table = contactTable(world).words;
   const { reals, words } = viewers(world, table[Word.wallCapacity]);
   return markImmutable({

@@ -5,7 +5,7 @@ import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/enti
 import { forEachRange } from '../ecs/ranges.ts';
 import { PLANE_COLUMNS_BYTES, PlaneColumnsWord } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { LocalSystem } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
@@ -14,7 +14,7 @@ interface PlaneList extends EntityList {
   readonly columns: number;
 }
 
-const planeList = resource<PlaneList>((world) => {
+const planeList = namedResource<PlaneList>('plane list', (world) => {
   const { nx, ny, nz, offset, restitution, friction } = world.addresses.PlaneWall;
   const { at, words } = allocateRecord(world.internal.arena, PLANE_COLUMNS_BYTES, 'plane walls');
   words.set([nx, ny, nz, offset, restitution, friction], PlaneColumnsWord.nx);

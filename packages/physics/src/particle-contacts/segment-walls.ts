@@ -7,7 +7,7 @@ import { reportFault } from '../errors/report-fault.ts';
 import { allocate } from '../memory/arena.ts';
 import { SEGMENT_BYTES, WALL_GRID_BYTES, WallGridWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { collisionKernels } from './kernels.ts';
 
@@ -24,7 +24,7 @@ interface SegmentList extends EntityList {
   readonly reported: Set<number>;
 }
 
-const segmentList = resource<SegmentList>((world) => {
+const segmentList = namedResource<SegmentList>('segment list', (world) => {
   const { arena } = world.internal;
   const { at: grid, words } = allocateRecord(arena, WALL_GRID_BYTES, 'segment walls');
   const { ax, ay, bx, by, restitution, friction } = world.addresses.SegmentWall;

@@ -11,7 +11,7 @@ import { checkFlag, checkKeys, checkNumber, checkVector } from '../errors/valida
 import { cos, sin } from '../math/elementary.ts';
 import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { contentVersion } from '../solver/content-version.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
@@ -68,7 +68,7 @@ interface QueryMemory {
 }
 
 /** The memory of queries, of which one at a time runs. Nothing in it outlasts a call. */
-const queryMemory = resource((world): QueryMemory => {
+const queryMemory = namedResource('query memory', (world): QueryMemory => {
   const { internal, memory, precision } = world;
   const at = allocate(internal.arena, BODY_QUERY_BYTES[precision], 'queries');
   const shapeAt = allocate(internal.arena, SHAPE_BYTES[precision], 'queries');

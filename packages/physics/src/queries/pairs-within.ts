@@ -8,7 +8,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
 import { withoutWaiting } from '../emitters/waiting.ts';
 import { checkNumber, mustBe } from '../errors/validate.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Pairs of bodies. The arrays belong to the world, and hold until it is asked again. */
@@ -46,7 +46,7 @@ interface PairMemory {
   readonly pairs: Pairs;
 }
 
-const pairMemory = resource((): PairMemory => {
+const pairMemory = namedResource('pair memory', (): PairMemory => {
   return { buckets: bucketsFor(0), pairs: { count: 0, a: new Uint32Array(0), b: new Uint32Array(0) } };
 });
 

@@ -2,7 +2,7 @@
 import type { ComponentName } from '../components/all.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import type { KernelExports } from '../kernels/rigid-2d.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { listVirtualPlanes, PLANE_SIZE } from '../solver/box-planes.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -13,7 +13,8 @@ interface WallLists {
   readonly box: number[];
 }
 
-const wallLists = resource(
+const wallLists = namedResource(
+  'wall lists of queries',
   (): WallLists => ({ SegmentWall: emptyEntityList(), PlaneWall: emptyEntityList(), box: [] }),
 );
 

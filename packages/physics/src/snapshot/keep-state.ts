@@ -1,10 +1,10 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkObject } from '../errors/validate.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The objects to save, in the order in which they were passed. */
-export const keptObjects = resource((): object[] => []);
+export const keptObjects = namedResource('kept objects', (): object[] => []);
 
 const named = new WeakSet<object>();
 

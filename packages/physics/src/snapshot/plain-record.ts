@@ -3,7 +3,7 @@
 import { isKept } from './keep-state.ts';
 
 /** A reusable copy of one object. */
-interface Copy {
+export interface Copy {
   readonly target: object;
   /** Copies the contents and visits nested values. */
   take(visit: (value: unknown) => void): void;
@@ -58,6 +58,17 @@ export class PlainRecord {
     this.#copies.length = this.#count;
   }
 
+  /** The copies of the last traversal: an object comes before what it alone contains. */
+  get copies(): readonly Copy[] {
+    return this.#copies;
+  }
+
+  /** Adds a copy that was made elsewhere. */
+  addCopy(copy: Copy): void {
+    this.#known.set(copy.target, copy);
+    this.#copies[this.#count++] = copy;
+  }
+
   /** Returns an object that was frozen since the copy, so that its contents cannot be restored. */
   findFrozen(): object | undefined {
     for (let i = 0; i < this.#count; i++) {
@@ -77,7 +88,8 @@ function hasContents(value: object): boolean {
   return !(value instanceof Map) && !(value instanceof Set) && Object.keys(value).length > 0;
 }
 
-function copyOf(value: object): Copy | undefined {
+/** Returns an empty copy of an object, undefined if it is kept by reference. */
+export function copyOf(value: object): Copy | undefined {
   if (Array.isArray(value)) return new ArrayCopy(value);
   if (ArrayBuffer.isView(value)) return value instanceof DataView ? undefined : new NumbersCopy(value as Float64Array);
   if (value instanceof Map) return new MapCopy(value);
@@ -89,34 +101,35 @@ function copyOf(value: object): Copy | undefined {
   return isPlain ? new ObjectCopy(value) : undefined;
 }
 
-class NumbersCopy implements Copy {
+/** The fields of copies are for `contents.ts`, too. */
+export class NumbersCopy implements Copy {
   readonly target: Float64Array;
-  readonly #numbers: Float64Array;
+  numbers: Float64Array;
 
   constructor(target: Float64Array) {
     this.target = target;
-    this.#numbers = target.slice();
+    this.numbers = target.slice();
   }
 
   take(): void {
-    this.#numbers.set(this.target);
+    this.numbers.set(this.target);
   }
 
   putBack(): void {
-    this.target.set(this.#numbers);
+    this.target.set(this.numbers);
   }
 }
 
-class ArrayCopy implements Copy {
+export class ArrayCopy implements Copy {
   readonly target: unknown[];
-  readonly #items: unknown[] = [];
+  readonly items: unknown[] = [];
 
   constructor(target: unknown[]) {
     this.target = target;
   }
 
   take(visit: (value: unknown) => void): void {
-    const items = this.#items;
+    const items = this.items;
     const { target } = this;
     if (items.length !== target.length) items.length = target.length;
     for (let i = 0; i < target.length; i++) {
@@ -127,76 +140,76 @@ class ArrayCopy implements Copy {
 
   putBack(): void {
     const { target } = this;
-    const items = this.#items;
+    const items = this.items;
     if (target.length !== items.length) target.length = items.length;
     for (let i = 0; i < items.length; i++) if (!Object.is(target[i], items[i])) target[i] = items[i];
   }
 }
 
-class MapCopy implements Copy {
+export class MapCopy implements Copy {
   readonly target: Map<unknown, unknown>;
-  readonly #keys: unknown[] = [];
-  readonly #values: unknown[] = [];
-  #count = 0;
+  readonly keys: unknown[] = [];
+  readonly values: unknown[] = [];
+  count = 0;
 
   constructor(target: Map<unknown, unknown>) {
     this.target = target;
   }
 
   take(visit: (value: unknown) => void): void {
-    this.#count = 0;
+    this.count = 0;
     this.target.forEach(this.#note);
-    this.#keys.length = this.#count;
-    this.#values.length = this.#count;
-    for (let i = 0; i < this.#count; i++) {
-      visit(this.#keys[i]);
-      visit(this.#values[i]);
+    this.keys.length = this.count;
+    this.values.length = this.count;
+    for (let i = 0; i < this.count; i++) {
+      visit(this.keys[i]);
+      visit(this.values[i]);
     }
   }
 
   readonly #note = (value: unknown, key: unknown): void => {
-    this.#keys[this.#count] = key;
-    this.#values[this.#count++] = value;
+    this.keys[this.count] = key;
+    this.values[this.count++] = value;
   };
 
   putBack(): void {
     this.target.clear();
-    for (let i = 0; i < this.#count; i++) this.target.set(this.#keys[i], this.#values[i]);
+    for (let i = 0; i < this.count; i++) this.target.set(this.keys[i], this.values[i]);
   }
 }
 
-class SetCopy implements Copy {
+export class SetCopy implements Copy {
   readonly target: Set<unknown>;
-  readonly #members: unknown[] = [];
-  #count = 0;
+  readonly members: unknown[] = [];
+  count = 0;
 
   constructor(target: Set<unknown>) {
     this.target = target;
   }
 
   take(visit: (value: unknown) => void): void {
-    this.#count = 0;
+    this.count = 0;
     this.target.forEach(this.#note);
-    this.#members.length = this.#count;
-    for (let i = 0; i < this.#count; i++) visit(this.#members[i]);
+    this.members.length = this.count;
+    for (let i = 0; i < this.count; i++) visit(this.members[i]);
   }
 
   readonly #note = (member: unknown): void => {
-    this.#members[this.#count++] = member;
+    this.members[this.count++] = member;
   };
 
   putBack(): void {
     this.target.clear();
-    for (let i = 0; i < this.#count; i++) this.target.add(this.#members[i]);
+    for (let i = 0; i < this.count; i++) this.target.add(this.members[i]);
   }
 }
 
-class ObjectCopy implements Copy {
+export class ObjectCopy implements Copy {
   readonly target: Record<string, unknown>;
   /** All property names, and which of them are data fields rather than getters. */
-  #names: string[] = [];
-  #isField: boolean[] = [];
-  readonly #values: unknown[] = [];
+  names: string[] = [];
+  isField: boolean[] = [];
+  readonly values: unknown[] = [];
 
   constructor(target: object) {
     this.target = target as Record<string, unknown>;
@@ -205,11 +218,11 @@ class ObjectCopy implements Copy {
   take(visit: (value: unknown) => void): void {
     if (!this.#hasSameNames()) this.#learnNames();
     const { target } = this;
-    const names = this.#names;
+    const names = this.names;
     for (let i = 0; i < names.length; i++) {
-      if (!this.#isField[i]) continue;
+      if (!this.isField[i]) continue;
       const value = target[names[i]];
-      if (!Object.is(this.#values[i], value)) this.#values[i] = value;
+      if (!Object.is(this.values[i], value)) this.values[i] = value;
       visit(value);
     }
   }
@@ -217,27 +230,27 @@ class ObjectCopy implements Copy {
   /** Compares without a list of the present names, which would be garbage. */
   #hasSameNames(): boolean {
     let count = 0;
-    for (const name in this.target) if (this.#names[count++] !== name) return false;
-    return count === this.#names.length;
+    for (const name in this.target) if (this.names[count++] !== name) return false;
+    return count === this.names.length;
   }
 
   #learnNames(): void {
     const { target } = this;
-    this.#names = Object.keys(target);
-    this.#isField = this.#names.map((name) => Object.getOwnPropertyDescriptor(target, name)?.get === undefined);
-    this.#values.length = 0;
+    this.names = Object.keys(target);
+    this.isField = this.names.map((name) => Object.getOwnPropertyDescriptor(target, name)?.get === undefined);
+    this.values.length = 0;
   }
 
   putBack(): void {
     const { target } = this;
     // A frozen object never changes and is not written to.
     for (const name of Object.keys(target)) {
-      const isNew = !this.#names.includes(name) && Object.getOwnPropertyDescriptor(target, name)?.get === undefined;
+      const isNew = !this.names.includes(name) && Object.getOwnPropertyDescriptor(target, name)?.get === undefined;
       if (isNew) delete target[name];
     }
-    for (let i = 0; i < this.#names.length; i++) {
-      const [name, value] = [this.#names[i], this.#values[i]];
-      if (this.#isField[i] && !Object.is(target[name], value)) target[name] = value;
+    for (let i = 0; i < this.names.length; i++) {
+      const [name, value] = [this.names[i], this.values[i]];
+      if (this.isField[i] && !Object.is(target[name], value)) target[name] = value;
     }
   }
 }

@@ -5,7 +5,7 @@ import type { BoxSystem } from '../dynamics/fused-step.ts';
 import { FAR } from '../dynamics/loop-checks.ts';
 import type { Box } from '../dynamics/step-features.ts';
 import { isOpen } from '../ecs/rows.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Numbers of a plane: nx, ny, offset, restitution, friction. */
@@ -19,7 +19,7 @@ interface BoxPlanes {
   ids: number[];
 }
 
-const boxPlanes = resource((): BoxPlanes => ({ values: [], wanted: [], ids: [] }));
+const boxPlanes = namedResource('box planes', (): BoxPlanes => ({ values: [], wanted: [], ids: [] }));
 
 /**
  * Makes the planes of all boxes of the world, or changes them.

@@ -6,7 +6,7 @@ import {
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { recordAt } from '../memory/record.ts';
-import { markImmutable, resource } from '../memory/resource.ts';
+import { markImmutable, namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -43,7 +43,7 @@ export interface ContactEvents {
   readonly droppedCount: number;
 }
 
-const eventsOf = /* @__PURE__ */ resource<ContactEvents>((world) => {
+const eventsOf = /* @__PURE__ */ namedResource<ContactEvents>('contact events', (world) => {
   const { words } = rigidTable(world);
   const end = {
     get count() {

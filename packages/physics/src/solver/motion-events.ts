@@ -1,6 +1,6 @@
 // Which rigid bodies moved, fell asleep or woke, as arrays, which are read after a step.
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
-import { markImmutable, resource } from '../memory/resource.ts';
+import { markImmutable, namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -20,7 +20,7 @@ export interface MotionEvents {
   readonly awake: BodyIds;
 }
 
-const eventsOf = /* @__PURE__ */ resource<MotionEvents>((world) => {
+const eventsOf = /* @__PURE__ */ namedResource<MotionEvents>('motion events', (world) => {
   const { words } = rigidTable(world);
   const bodies = (count: Word, list: Word): BodyIds => ({
     get count() {

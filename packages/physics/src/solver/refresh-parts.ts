@@ -6,12 +6,12 @@ import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/enti
 import { isOpen } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
-const partList = resource((): EntityList => emptyEntityList());
+const partList = namedResource('part list', (): EntityList => emptyEntityList());
 
 /** What a part needs besides its Attachment. */
 const NEEDED = ['Position', 'Rotation', 'Collider'] as const;

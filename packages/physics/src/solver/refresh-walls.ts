@@ -12,7 +12,7 @@ import {
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -25,7 +25,7 @@ interface WallLists {
   readonly reported: Set<number>;
 }
 
-const wallLists = resource((world): WallLists => {
+const wallLists = namedResource('wall lists of rigid bodies', (world): WallLists => {
   const { SegmentWall, PlaneWall } = world.addresses;
   const { at, words } = allocateRecord(world.internal.arena, WALL_COLUMNS_BYTES, 'walls');
   words[Column.ax] = SegmentWall.ax;

@@ -20,7 +20,7 @@ import {
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The preset asks for the memory, so what lacks it is most often the preset. */
@@ -62,7 +62,7 @@ export function rigidBytesPerEntity(precision: Precision): number {
 }
 
 /** Takes the memory, the first time it is asked for. @throws PhysicsError E_CAPACITY */
-export const rigidTable = resource((world): MemoryRecord => {
+export const rigidTable = namedResource('rigid table', (world): MemoryRecord => {
   const table = allocateRecord(world.internal.arena, RIGID_TABLE_BYTES, 'rigid bodies');
   writeColumns(world, table.words);
   takeRows(world, table.words);

@@ -1,6 +1,6 @@
 // Events of sensors as arrays, which are read after a step.
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
-import { markImmutable, resource } from '../memory/resource.ts';
+import { markImmutable, namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { listOf } from './contact-events.ts';
 import { rigidTable } from './rigid-table.ts';
@@ -21,7 +21,7 @@ export interface SensorEvents {
   readonly end: SensorPairs;
 }
 
-const eventsOf = /* @__PURE__ */ resource<SensorEvents>((world) => {
+const eventsOf = /* @__PURE__ */ namedResource<SensorEvents>('sensor events', (world) => {
   const { words } = rigidTable(world);
   const pairs = (count: Word, sensor: Word, visitor: Word): SensorPairs => ({
     get count() {

@@ -3,7 +3,7 @@
 import { bodyOf } from '../bodies/parts.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
@@ -38,7 +38,7 @@ export function wake(world: PhysicsWorld, body: number): void {
 }
 
 /** Bodies that are put to sleep in the next step, and their generations. */
-const tiredBodies = resource(() => ({ ids: [] as number[], generations: [] as number[] }));
+const tiredBodies = namedResource('tired bodies', () => ({ ids: [] as number[], generations: [] as number[] }));
 
 /**
  * Puts a body to sleep at the end of the next step, with all that it touches or that is joined to it, even if they move: their

@@ -334,8 +334,8 @@ export interface WorldInternals {
   readonly moreMembersAt: number;
   /** Generation of each row. */
   readonly generations: Uint32Array;
-  /** Added to generations in references, different in every world. */
-  readonly firstGeneration: number;
+  /** Added to generations in references, different in every world until it takes the state of another. */
+  firstGeneration: number;
   readonly idsAt: number;
   readonly rangesAt: number;
   readonly counts: Record<ComponentName, number>;

@@ -6,7 +6,7 @@
 import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';
 import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { allocateRows, type ConstraintTable, constraintTable } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
@@ -19,7 +19,7 @@ export interface BrokenSprings {
   readonly total: number;
 }
 
-const state = resource(() => ({ ids: [] as number[], total: 0 }));
+const state = namedResource('broken constraints', () => ({ ids: [] as number[], total: 0 }));
 
 /** Returns the springs that broke: the same object on each call. @throws PhysicsError E_DESTROYED */
 export function brokenSprings(world: PhysicsWorld): BrokenSprings {

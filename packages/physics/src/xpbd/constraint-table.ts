@@ -6,7 +6,7 @@ import { allocate, allocateTogether } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONSTRAINT_TABLE_BYTES, ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import { allocateRecord } from '../memory/record.ts';
-import { resource } from '../memory/resource.ts';
+import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { constraintKernels } from './kernels.ts';
 
@@ -39,7 +39,7 @@ export interface ConstraintTable {
 }
 
 /** @throws PhysicsError E_CAPACITY */
-export const constraintTable = resource((world): ConstraintTable => {
+export const constraintTable = namedResource('constraint table', (world): ConstraintTable => {
   const { arena } = world.internal;
   const { at, words } = allocateRecord(arena, CONSTRAINT_TABLE_BYTES, 'constraints');
   const table = { at, words, capacity: 0, scratchBytes: 0, version: -1, substep: new Float64Array(1) };

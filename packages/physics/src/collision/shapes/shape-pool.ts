@@ -1,6 +1,6 @@
 // The shapes of a world: records in its memory (kernels/collision/shapes/2d/shape.ts), so that snapshots and the state
 // hash contain them. A shape stays until the world ends, and equal shapes share a record.
-import { resource } from '../../memory/resource.ts';
+import { namedResource } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 import type { Shape } from './2d/shape.ts';
 
@@ -18,7 +18,7 @@ export interface ShapePool {
 }
 
 /** The shape pool of a world, which is empty until the first shape other than a circle. */
-export const shapePool = resource((): ShapePool => {
+export const shapePool = namedResource('shape pool', (): ShapePool => {
   return { at: 0, capacity: 0, count: 1, indices: new Map(), shapes: [undefined] };
 });
 

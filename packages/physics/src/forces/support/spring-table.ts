@@ -6,7 +6,7 @@ import { type EntityList, emptyEntityList, refreshEntityList } from '../../ecs/e
 import { collectThrown } from '../../errors/collect-thrown.ts';
 import { SPRING_TABLE_BYTES, SpringTableNumber, SpringTableWord as Word } from '../../memory/layouts.gen.ts';
 import { allocateRecord } from '../../memory/record.ts';
-import { resource } from '../../memory/resource.ts';
+import { namedResource } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 
 export interface SpringTable {
@@ -22,7 +22,7 @@ export interface SpringTable {
   removed: number[];
 }
 
-export const springTable = resource((world): SpringTable => {
+export const springTable = namedResource('spring table', (world): SpringTable => {
   const { at, words, numbers } = allocateRecord(world.internal.arena, SPRING_TABLE_BYTES, 'springs');
   const { a, b, aGeneration, bGeneration, stiffness, damping, length, tensionOnly } = world.addresses.Spring;
   words.set([a, b, aGeneration, bGeneration, stiffness, damping, length, tensionOnly], Word.a);

@@ -5,7 +5,7 @@ import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
 import { EMBEDDED_ERROR_BYTES, EmbeddedErrorNumber, EmbeddedErrorWord as Word } from '../../memory/layouts.gen.ts';
 import { allocateRecord, type MemoryRecord } from '../../memory/record.ts';
-import { resource } from '../../memory/resource.ts';
+import { namedResource } from '../../memory/resource.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
 import { integratorKernels } from './integrator-kernels.ts';
@@ -38,7 +38,7 @@ const COLUMNS = 2 + STAGES;
 export type Stages = ReturnType<typeof makeStages>;
 type Axis = 'x' | 'y' | 'z';
 
-export const stagesOf = resource(makeStages);
+export const stagesOf = namedResource('Dormand-Prince stages', makeStages);
 
 function makeStages(world: PhysicsWorld) {
   const { precision, rows } = world;

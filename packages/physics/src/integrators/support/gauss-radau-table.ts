@@ -7,7 +7,7 @@ import { AXES } from '../../memory/axes.ts';
 import { realBytes, realColumn } from '../../memory/columns.ts';
 import { RADAU_TABLE_BYTES, RadauTableWord as Word } from '../../memory/layouts.gen.ts';
 import { allocateRecord } from '../../memory/record.ts';
-import { resource } from '../../memory/resource.ts';
+import { namedResource } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
@@ -49,7 +49,7 @@ export const LAST_TERM = 6;
 
 export type Radau = ReturnType<typeof makeRadau>;
 
-export const radauOf = resource(makeRadau);
+export const radauOf = namedResource('Gauss-Radau', makeRadau);
 
 function makeRadau(world: PhysicsWorld) {
   const { precision, rows } = world;

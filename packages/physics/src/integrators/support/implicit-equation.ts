@@ -2,7 +2,7 @@
 import { checkRoom } from '../../memory/arena.ts';
 import { AXES } from '../../memory/axes.ts';
 import { axisColumns, realBytes } from '../../memory/columns.ts';
-import { resource } from '../../memory/resource.ts';
+import { namedResource } from '../../memory/resource.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { addScaled, type BodyVector, copyVector } from './body-vectors.ts';
 import { integratorKernels } from './integrator-kernels.ts';
@@ -36,7 +36,7 @@ export const MINUS_ONE = new Float64Array([-1]);
 
 export type Equation = ReturnType<typeof makeEquation>;
 
-export const equationOf = resource(makeEquation);
+export const equationOf = namedResource('implicit equation', makeEquation);
 
 function makeEquation({ internal: { arena }, precision, rows }: PhysicsWorld) {
   checkRoom(arena, 3 * VECTORS, rows * realBytes(precision), 'implicit Euler');

@@ -1,0 +1,221 @@
+// Reads a snapshot that another world wrote: what it says of objects is told of those of this world.
+import { isShape, registerShape, type Shape } from '../collision/shapes/2d/shape.ts';
+import { shapeIndex } from '../collision/shapes/store-shape.ts';
+import { assertIdle } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
+import { isImmutable, markImmutable, onlyKeyNamed, ResourceKey, stateAt } from '../memory/resource.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { addPlainObjects, Content, type Snapshot } from './content.ts';
+import { type Contents, copyWith } from './contents.ts';
+import { type EncodedSnapshot, formOf, type WorldForm } from './encode-snapshot.ts';
+import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
+import { BytesReader, makeArray } from './packed-bytes.ts';
+import type { Copy } from './plain-record.ts';
+
+/**
+ * Reads what `encodeSnapshot` wrote, as a snapshot of this world: `restore` then makes this world go on as the other would have,
+ * to the bit. The world must have been made as the other was: with the same options, forces, systems, emitters and calls of
+ * `keepState`. Its bodies, joints and springs may differ. The world stays as it is until `restore`.
+ * @throws PhysicsError E_TYPE for bytes that are no snapshot or of a world made otherwise, E_REENTRANT, E_DESTROYED
+ */
+export function decodeSnapshot(world: PhysicsWorld, bytes: Uint8Array): Snapshot {
+  assertIdle(world, 'decodeSnapshot');
+  const reader = new BytesReader(bytes);
+  const encoded = reader.header as EncodedSnapshot;
+  assertSameForm(world, encoded.form);
+  const { keys, existing } = findResources(world, encoded.resources);
+  const decoder = new ValueDecoder(world, encoded.objects, reader);
+  let root = 0;
+  addPlainObjects(world, (object) => decoder.value(encoded.roots[root++], object, 'the world'));
+  const states = encoded.resources.map(({ name, state }, i) => decoder.value(state, existing[i], name));
+  const copies = decoder.finish();
+  const { runs, top, staggered } = encoded.image;
+  const image = reader.array<Uint8Array>(encoded.imageBytes);
+  const [dense, members, moreMembers] = [encoded.dense, encoded.members, encoded.moreMembers].map((place) =>
+    reader.array<Uint32Array>(place),
+  );
+  const content = new Content(world);
+  const parts = {
+    scalars: encoded.scalars,
+    image: { layout: { runs, views: [], length: image.length, top }, bytes: image, top, staggered },
+    entities: { ...encoded.entities, dense, members, moreMembers },
+    keys,
+    states,
+    idle: encoded.idle,
+  };
+  content.fill(parts, copies);
+  return content;
+}
+
+function assertSameForm(world: PhysicsWorld, form: WorldForm): void {
+  const here = formOf(world);
+  for (const field of Object.keys(here) as (keyof WorldForm)[]) {
+    const [theirs, ours] = [JSON.stringify(form[field]), JSON.stringify(here[field])];
+    if (theirs !== ours) throw differs(field === 'version' ? 'the version of the package' : field, theirs, ours);
+  }
+}
+
+function differs(what: string, theirs: string, ours: string): PhysicsError {
+  return new PhysicsError('E_TYPE', `decodeSnapshot: the world differs in ${what}: ${theirs} saved, ${ours} here.`, {
+    field: 'world',
+    hint: 'Make the world as the one that was saved, with the same options, forces and systems.',
+  });
+}
+
+/** The keys of resources, and their states in this world, where those that are absent are created. */
+function findResources(world: PhysicsWorld, encoded: EncodedSnapshot['resources']) {
+  const { resources } = world.internal;
+  const ofName = new Map<string, ResourceKey[]>();
+  for (const key of resources.keys()) {
+    if (!(key instanceof ResourceKey) || key.name === '') continue;
+    ofName.set(key.name, [...(ofName.get(key.name) ?? []), key]);
+  }
+  const keys = encoded.map(({ name, number }) => {
+    const found = ofName.get(name)?.[number] ?? (number === 0 ? onlyKeyNamed(name) : undefined);
+    if (found !== undefined) return found;
+    throw absent(`the resource "${name}"`);
+  });
+  return {
+    keys,
+    existing: keys.map((key) => (key.create === undefined ? undefined : stateAt(world, key, key.create))),
+  };
+}
+
+function absent(what: string): PhysicsError {
+  return new PhysicsError('E_TYPE', `decodeSnapshot: this world has nothing in the place of ${what}.`, {
+    field: 'world',
+    hint: 'Make the world as the one that was saved, with the same emitters and calls of keepState; step it once if that is not enough.',
+  });
+}
+
+/** Turns the objects of another world into those of this one in the same places, or into new ones. */
+class ValueDecoder {
+  readonly #objects: readonly EncodedObject[];
+  readonly #reader: BytesReader;
+  readonly #memory: ArrayBuffer;
+  readonly #parts: ReadonlyMap<string, unknown>;
+  /** The object of this world for each of the other, and what it is called in errors. */
+  readonly #targets: (object | undefined)[];
+  readonly #places: string[];
+  readonly #taken = new Set<object>();
+
+  constructor(world: PhysicsWorld, objects: readonly EncodedObject[], reader: BytesReader) {
+    this.#objects = objects;
+    this.#reader = reader;
+    this.#memory = world.memory.buffer as ArrayBuffer;
+    this.#parts = partsOfWorld(world);
+    this.#targets = objects.map(() => undefined);
+    this.#places = objects.map(() => '');
+  }
+
+  /** @param existing what this world has in the place of the value */
+  value(encoded: EncodedValue, existing: unknown, place: string): unknown {
+    if (typeof encoded !== 'object' || encoded === null) return encoded;
+    switch (encoded[0]) {
+      case 'undefined':
+        return undefined;
+      case 'number':
+        return Number(encoded[1]);
+      case 'object':
+        return this.#targetOf(encoded[1], existing, place);
+      case 'memory':
+        return this.#viewOf(encoded[1], existing);
+      case 'world':
+        return this.#parts.get(encoded[1]);
+      case 'shape':
+        return isShape(existing) && isSameShape(existing, encoded[1]) ? existing : shapeFrom(encoded[1]);
+      case 'immutable':
+        return markImmutable(this.#plainData(encoded[1], place));
+      default:
+        if (existing === undefined || existing === null) throw absent(place);
+        return existing;
+    }
+  }
+
+  /** All objects with their contents, after the values of all roots. */
+  finish(): Copy[] {
+    return this.#objects.map((object, i) => copyWith(this.#targets[i] as object, this.#contentsOf(i, object)));
+  }
+
+  #targetOf(number: number, existing: unknown, place: string): object {
+    const known = this.#targets[number];
+    if (known !== undefined) return known;
+    const encoded = this.#objects[number];
+    const isFree = typeof existing === 'object' && existing !== null && !this.#taken.has(existing);
+    const target = isFree && isAlike(existing, encoded) ? existing : emptyLike(encoded, place);
+    this.#taken.add(target);
+    this.#targets[number] = target;
+    this.#places[number] = place;
+    return target;
+  }
+
+  #contentsOf(i: number, { kind, values, names, numbers }: EncodedObject): Contents {
+    const existing = valuesIn(this.#targets[i] as object, names);
+    const place = this.#places[i];
+    return {
+      kind,
+      values: values.map((value, v) => this.value(value, existing[v], `${place}.${names?.[v] ?? v}`)),
+      ...(names && { names }),
+      ...(numbers && { numbers: this.#reader.array<Float64Array>(numbers) }),
+    };
+  }
+
+  #viewOf([type, offset, length]: readonly [string, number, number], existing: unknown): unknown {
+    const isSame =
+      ArrayBuffer.isView(existing) &&
+      existing.buffer === this.#memory &&
+      existing.byteOffset === offset &&
+      existing.constructor.name === type &&
+      (existing as Float64Array).length === length;
+    return isSame ? existing : makeArray(type, this.#memory, offset, length);
+  }
+
+  #plainData({ kind, values, names = [] }: EncodedObject, place: string): object {
+    const items = values.map((value) =>
+      Array.isArray(value) && value[0] === 'immutable'
+        ? this.#plainData(value[1], place)
+        : this.value(value, undefined, place),
+    );
+    return kind === 'array' ? items : Object.fromEntries(items.map((item, i) => [names[i], item]));
+  }
+}
+
+function isAlike(existing: object, { kind, prototype, numbers }: EncodedObject): boolean {
+  if (isImmutable(existing)) return false;
+  if (kind === 'array') return Array.isArray(existing);
+  if (kind === 'map') return existing instanceof Map;
+  if (kind === 'set') return existing instanceof Set;
+  if (kind === 'object') return !ArrayBuffer.isView(existing) && prototypeOf(existing) === prototype;
+  const isSame = existing.constructor.name === numbers?.[0];
+  return isSame && (existing as Float64Array).length === numbers?.[2];
+}
+
+function emptyLike({ kind, prototype, numbers }: EncodedObject, place: string): object {
+  if (prototype === 'class') throw absent(place);
+  if (kind === 'array') return [];
+  if (kind === 'map') return new Map();
+  if (kind === 'set') return new Set();
+  if (kind === 'object') return prototype === 'none' ? Object.create(null) : {};
+  const [type, , length] = numbers as readonly [string, number, number];
+  return makeArray(type, new ArrayBuffer(8 * length), 0, length);
+}
+
+/** What an object contains, in the order of `Contents.values`. */
+function valuesIn(target: object, names: readonly string[] | undefined): readonly unknown[] {
+  if (names !== undefined) return names.map((name) => (target as Record<string, unknown>)[name]);
+  if (target instanceof Map) return [...target].flat();
+  if (target instanceof Set) return [...target];
+  return Array.isArray(target) ? target : [];
+}
+
+function isSameShape(a: Shape, b: Shape): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}
+
+function shapeFrom(encoded: Shape): Shape {
+  const { vertices, normals, neighbours, centre } = encoded;
+  for (const part of [vertices, normals, neighbours, centre]) Object.freeze(part);
+  const shape = Object.freeze({ ...encoded, neighbours });
+  registerShape(shape, shapeIndex);
+  return markImmutable(shape);
+}
