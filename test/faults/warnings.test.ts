@@ -14,6 +14,7 @@ import {
   on,
   type PhysicsWorldOptions,
   particleContacts,
+  quadraticDrag,
   restrictForce,
   revolute,
   rgba,
@@ -361,3 +362,28 @@ it('is not misled by a force of the name of gravity', () => {
   step(world, 1 / 60);
   expect(messages()).toBe('');
 });
+
+it('says that a drag is too strong for the step, and where the limit is', () => {
+  const { world, messages, warnings } = listen({ forces: [linearDrag(), quadraticDrag()] });
+  const body = spawn(world, { position: {}, velocity: { x: 5 }, mass: 0.5, linearDrag: 100 });
+  step(world, 1 / 60);
+  expect(messages()).toBe(
+    `the drag of body ${body} takes more of its speed in a step than it has, and throws it back faster.`,
+  );
+  // c/m = 200/s.
+  expect(warnings[0].hint).toContain('steps below 0.0050 s');
+  const calm = listen({ forces: [linearDrag(), quadraticDrag()] });
+  spawn(calm.world, { position: {}, velocity: { x: 5 }, mass: 0.5, linearDrag: 30, quadraticDrag: 1 });
+  step(calm.world, 1 / 60);
+  expect(calm.messages()).toBe('');
+});
+
+it.each(['sensor', 'bullet', 'oneWay', 'group', 'rollingResistance', 'tangentSpeed'] as const)(
+  'says that a collider’s %s is of rigid bodies only',
+  (field) => {
+    const { world, messages } = listen({ preset: particleContacts });
+    const body = spawn(world, { position: {}, mass: 1, collider: { radius: 1, [field]: 1 } });
+    step(world, 1 / 60);
+    expect(messages()).toBe(`body ${body} has \`collider.${field}\`, which has no effect: only rigid bodies have it.`);
+  },
+);

@@ -19,8 +19,9 @@ export function kickSpinAxis(omega: usize, torque: usize, skipsTensors: bool, dt
   }
 }
 
-// 3D: q += dt/2 (omega) q, renormalised; a row with a zero quaternion and no angular velocity stays unchanged. Source:
-// Kuipers, Quaternions and Rotation Sequences, section 11.4 (first order in dt; the norm is restored each step).
+// 3D: q becomes (cos a, n sin a) q, where a = |omega| dt/2 and n is the axis: exact for an angular velocity that stays, and
+// renormalised because of rounding. A row with a zero quaternion and no angular velocity stays unchanged. Source: Kuipers,
+// Quaternions and Rotation Sequences, section 5.15.
 export function rotateQuaternion(dt: real, skipsTensors: bool, first: i32, last: i32): void {
   const c = columns();
   const qx = c.orientationX;
@@ -34,23 +35,44 @@ export function rotateQuaternion(dt: real, skipsTensors: bool, first: i32, last:
   for (let row = first; row < last; row++) {
     if (skipsTensors && hasTensor(row)) continue;
     const o = at(row);
-    const ax = load<real>(wx + o) * half;
-    const ay = load<real>(wy + o) * half;
-    const az = load<real>(wz + o) * half;
+    let ax = load<real>(wx + o) * half;
+    let ay = load<real>(wy + o) * half;
+    let az = load<real>(wz + o) * half;
     if (ax == 0 && ay == 0 && az == 0) continue;
+    turnBy(ax * ax + ay * ay + az * az);
+    ax *= sinc;
+    ay *= sinc;
+    az *= sinc;
     const x = load<real>(qx + o);
     const y = load<real>(qy + o);
     const z = load<real>(qz + o);
     let w = load<real>(qw + o);
     if (x == 0 && y == 0 && z == 0 && w == 0) w = 1;
-    const nx = x + ax * w + ay * z - az * y;
-    const ny = y + ay * w + az * x - ax * z;
-    const nz = z + az * w + ax * y - ay * x;
-    const nw = w - ax * x - ay * y - az * z;
+    const nx = cosine * x + ax * w + ay * z - az * y;
+    const ny = cosine * y + ay * w + az * x - ax * z;
+    const nz = cosine * z + az * w + ax * y - ay * x;
+    const nw = cosine * w - ax * x - ay * y - az * z;
     const scale = <real>1 / sqrt<real>(nx * nx + ny * ny + nz * nz + nw * nw);
     store<real>(qx + o, nx * scale);
     store<real>(qy + o, ny * scale);
     store<real>(qz + o, nz * scale);
     store<real>(qw + o, nw * scale);
+  }
+}
+
+// Results of `turnBy`: cos a, and (sin a)/a.
+let cosine: real = 1;
+let sinc: real = 1;
+
+// Their Taylor series up to a = 1/4, where the next terms are below the rounding of f64, and beyond by doubling the angle.
+function turnBy(square: real): void {
+  let u = square;
+  let doublings = 0;
+  for (; u > 0.0625 && doublings < 60; doublings++) u *= 0.25;
+  cosine = <real>1 - (u / 2) * (<real>1 - (u / 12) * (<real>1 - (u / 30) * (<real>1 - (u / 56) * (<real>1 - u / 90))));
+  sinc = <real>1 - (u / 6) * (<real>1 - (u / 20) * (<real>1 - (u / 42) * (<real>1 - (u / 72) * (<real>1 - u / 110))));
+  for (; doublings > 0; doublings--) {
+    sinc *= cosine;
+    cosine = <real>2 * cosine * cosine - 1;
   }
 }

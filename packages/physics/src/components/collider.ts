@@ -30,9 +30,9 @@ export const Collider = defineComponent({
     shape: u32('', {
       hint: 'Shapes such as box(1, 0.5) are given to `spawn` and `setShape`, which store their index here.',
     }),
-    /** Torque that resists rolling, as a fraction of normal force times radius. */
+    /** Torque that resists rolling, as a fraction of normal force times radius. Rigid bodies only. */
     rollingResistance: real('', { bounds: { min: 0, max: 100 } }),
-    /** Speed of the surface along its tangent, m/s, as of a conveyor belt. */
+    /** Speed of the surface along its tangent, m/s, as of a conveyor belt. Rigid bodies only. */
     tangentSpeed: real('m/s', { bounds: { min: -1e6, max: 1e6 } }),
     /** Layers that the body is on, one bit each. */
     layers: u32('', { initial: 1, hint: BITS_HINT }),

@@ -4,12 +4,13 @@ import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
 
-export function warnAboutForces(world: PhysicsWorld): void {
+export function warnAboutForces(world: PhysicsWorld, dt: number): void {
   warnAboutRepeatedForces(world);
   warnAboutGravityAlongZ(world);
   warnAboutConstantsOfGravity(world);
   warnAboutMagneticFields(world);
   warnAboutTorques(world);
+  warnAboutStrongDrag(world, dt);
 }
 
 function warnAboutRepeatedForces(world: PhysicsWorld): void {
@@ -112,4 +113,27 @@ function warnAboutTorques(world: PhysicsWorld): void {
     hint: `Spawn it with ${pose} as well.`,
   };
   warnOnce(world, warning, 'torque without AngularVelocity');
+}
+
+/** A drag that takes more than twice the speed of a body in a step throws it back, faster each time. */
+function warnAboutStrongDrag(world: PhysicsWorld, dt: number): void {
+  const { isStable } = world.integrator;
+  const { LinearDrag, QuadraticDrag, Mass, Velocity } = world.components;
+  const acts = (name: string) => world.forces.some((force) => force.name === name);
+  const [hasLinear, hasQuadratic] = [acts('linear drag'), acts('quadratic drag')];
+  if (isStable === undefined || !(hasLinear || hasQuadratic)) return;
+  const rateOf = (id: number) => {
+    const { x, y, z } = Velocity;
+    const speed = Math.hypot(x[id], y[id], z[id]);
+    const linear = hasLinear ? LinearDrag.coefficient[id] : 0;
+    const quadratic = hasQuadratic ? 2 * QuadraticDrag.coefficient[id] * speed : 0;
+    return (linear + quadratic) / Mass.value[id];
+  };
+  const thrown = firstRow(world, (id) => Mass.value[id] > 0 && rateOf(id) > 0 && !isStable(0, rateOf(id) * dt));
+  if (thrown === 0) return;
+  const warning = {
+    message: `the drag of body ${thrown} takes more of its speed in a step than it has, and throws it back faster.`,
+    hint: `Take steps below ${(1 / rateOf(thrown)).toPrecision(2)} s, a smaller coefficient, or a heavier body.`,
+  };
+  warnOnce(world, warning, 'strong drag');
 }

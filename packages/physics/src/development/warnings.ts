@@ -90,11 +90,12 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutUnreadComponents(world);
   warnAboutStrayValues(world);
   warnAboutInertiaTensors(world);
-  warnAboutForces(world);
+  warnAboutForces(world, dt);
   warnAboutSprings(world);
   warnAboutShapes(world);
   warnAboutMissingPositions(world);
   warnAboutSurfaces(world, plan);
+  warnAboutRigidSurfaces(world, plan);
   warnAboutBodiesThatStandStill(world);
   warnAboutBodiesThatDoNotTurn(world);
   warnAboutSmallBodies(world, dt);
@@ -203,6 +204,23 @@ function warnAboutSurfaces(world: PhysicsWorld, { systems }: Plan): void {
     hint: 'Create the world with `preset: particleContacts` or `preset: rigidBodies`, or with `walls`.',
   };
   warnOnce(world, warning, 'surfaces');
+}
+
+/** Fields of Collider that only rigid bodies have. */
+const RIGID_SURFACES = ['sensor', 'bullet', 'oneWay', 'group', 'rollingResistance', 'tangentSpeed'] as const;
+
+function warnAboutRigidSurfaces(world: PhysicsWorld, { systems }: Plan): void {
+  if (world.integrator.solvesWalls === true || systems.collide.length === 0) return;
+  for (const field of RIGID_SURFACES) {
+    const column: ArrayLike<number> = world.components.Collider[field];
+    const body = firstRow(world, (id) => column[id] !== 0);
+    if (body === 0) continue;
+    const warning = {
+      message: `body ${body} has \`collider.${field}\`, which has no effect: only rigid bodies have it.`,
+      hint: 'Create the world with `preset: rigidBodies`.',
+    };
+    warnOnce(world, warning, field);
+  }
 }
 
 /** Nothing that moves or collides is without a place. */

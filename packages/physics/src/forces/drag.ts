@@ -4,7 +4,8 @@
 //   quadratic  F = -k |v - w| (v - w)    fast: Re > 1000           k, kg/m: ρ C_d A / 2 (Rayleigh)
 //
 // The coefficients are the columns LinearDrag and QuadraticDrag; zero, or an absent component, means no drag. Cost:
-// linear one multiply-add per axis; quadratic one square root more.
+// linear one multiply-add per axis; quadratic one square root more. Explicit integrators need c dt/m < 2 and k v dt/m < 1, or
+// drag throws bodies back faster than they came.
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { Force } from '../world/types.ts';

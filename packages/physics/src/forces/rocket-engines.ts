@@ -6,7 +6,8 @@
 //
 // All quantities are in the component Engine. At the start of a step fuel and Mass decrease by the burnt mass; an
 // engine whose fuel ends within the step burns the rest. The thrust is the constant force that gives the remaining
-// mass v_e ln(m₀/m₁) in that step, so Δv is exact with every integrator and every dt. Gravity is independent of the
+// mass v_e ln(m₀/m₁) in that step, so Δv is exact with every dt and every integrator
+// but positionVerlet, which leaves out half of the first step. Gravity is independent of the
 // time of the mass loss within the step; a force not proportional to mass, such as drag, acts on the mass at the end
 // of the step. Valid for exhaust far slower than light. A body that burns all its mass keeps a millionth of it. Cost:
 // one logarithm per firing engine and step, and the rotation of a vector per body.

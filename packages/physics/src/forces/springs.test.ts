@@ -8,6 +8,7 @@ import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { semiImplicitEuler } from '../integrators/semi-implicit-euler.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { rigidBodies } from '../presets/rigid-bodies.ts';
+import { softStep } from '../solver/soft-step.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -229,6 +230,30 @@ describe('springs too stiff for the step', () => {
       const { x } = world.components.Position;
       expect(Math.abs(x[b] - x[a])).toBeLessThan(20);
       expect(codeOf(() => step(world, 1.01 * limit))).toBe('E_STIFF');
+    }
+  });
+
+  test('the recommended step is the longest that is taken, and so are the sub-steps of rigid bodies', () => {
+    const advice = (act: () => void, pattern: RegExp) => {
+      try {
+        act();
+      } catch (error) {
+        return Number(pattern.exec((error as PhysicsError).hint ?? '')?.[1]);
+      }
+      return undefined;
+    };
+    for (const integrator of [semiImplicitEuler, velocityVerlet, rungeKutta4, softStep()]) {
+      const preset = integrator.solvesWalls === true ? { preset: rigidBodies } : {};
+      const world = createPhysicsWorld({ ...preset, capacity: 50, forces: [springs()], integrator });
+      pair(world, { stiffness: 20_000 });
+      const longest = advice(() => step(world, 1 / 10), /at most ([\d.]+) s/) as number;
+      // Two digits are said.
+      expect(codeOf(() => step(world, 1.06 * longest))).toBe('E_STIFF');
+      step(world, 0.94 * longest);
+      const substeps = advice(() => step(world, 1 / 10), /substeps: (\d+)/);
+      if (integrator.solvesWalls !== true) continue;
+      world.integrator = softStep({ substeps: substeps as number });
+      step(world, 1 / 10);
     }
   });
 

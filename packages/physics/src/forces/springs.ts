@@ -17,7 +17,7 @@
 
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import type { Force, PhysicsWorld } from '../world/types.ts';
+import type { Force, Integrator, PhysicsWorld } from '../world/types.ts';
 import {
   activeSprings,
   removeDanglingSprings,
@@ -113,6 +113,17 @@ function rodError({ integrator, components }: PhysicsWorld, spring: number): Phy
   );
 }
 
+/** The longest step below `dt` that the integrator takes with such a spring, by bisection. */
+function longestStep({ isStable }: Integrator, perMass: number, dampingPerMass: number, dt: number): number {
+  let [stable, unstable] = [0, dt];
+  for (let i = 0; i < 30; i++) {
+    const middle = (stable + unstable) / 2;
+    if (isStable?.(perMass * middle * middle, dampingPerMass * middle) === false) unstable = middle;
+    else stable = middle;
+  }
+  return stable;
+}
+
 function stiffError(
   { integrator, components }: PhysicsWorld,
   spring: number,
@@ -120,9 +131,12 @@ function stiffError(
   dampingPerMass: number,
   dt: number,
 ): PhysicsError {
-  // The root of ω² dt² + 2 γ dt = 4: stable for every built-in integrator.
-  const maxStep = 4 / (dampingPerMass + Math.sqrt(dampingPerMass * dampingPerMass + 4 * perMass));
-  const instead = integrator.solvesWalls === true ? 'joints with springs' : 'the integrator xpbd()';
+  const maxStep = longestStep(integrator, perMass, dampingPerMass, dt);
+  const steps = Math.ceil((dt / maxStep) * integrator.evaluations);
+  const instead =
+    integrator.solvesWalls === true
+      ? `joints with springs, or more sub-steps, softStep({ substeps: ${steps} })`
+      : 'the integrator xpbd()';
   return new PhysicsError('E_STIFF', `spring ${spring} is too stiff or too strongly damped for steps of ${dt} s.`, {
     entity: spring,
     field: 'spring.stiffness',

@@ -37,6 +37,18 @@ describe('touching bodies merge', () => {
     expect(Collider.radius[a]).toBeCloseTo(size, 12);
   });
 
+  test('charge is kept where the survivor has any', () => {
+    const world = mergingWorld();
+    const a = spawn(world, { position: {}, mass: 2, collider: 1, charge: 2 });
+    spawn(world, { position: { x: 1 }, mass: 1, collider: 1, charge: -5 });
+    const neutral = spawn(world, { position: { x: 10 }, mass: 2, collider: 1 });
+    spawn(world, { position: { x: 11 }, mass: 1, collider: 1, charge: 3 });
+    step(world, 0.01);
+    expect(mergers(world).total).toBe(2);
+    expect(world.components.Charge.value[a]).toBe(-3);
+    expect(world.components.Charge.value[neutral]).toBe(0);
+  });
+
   test('the heavier body survives, and immovable bodies do not merge', () => {
     const world = mergingWorld();
     spawn(world, { position: { x: 0 }, mass: 1, collider: 1 });

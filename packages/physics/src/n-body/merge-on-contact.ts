@@ -5,14 +5,15 @@
 // Mass, momentum, centre of mass and volume (area in 2D) are conserved; the kinetic energy μ (v₁ - v₂)²/2, with μ = m₁
 // m₂/m, becomes heat, and the mutual potential energy is lost. The heavier body survives, the one with the lower id if
 // equal; the other is despawned at the end of the step. If the survivor can rotate (Inertia and AngularVelocity), it
-// takes the angular momentum of both about their common centre, and its inertia becomes proportional to m R². Colour,
-// charge and other components of the absorbed body are lost.
+// takes the angular momentum of both about their common centre, and its inertia becomes proportional to m R²; otherwise that
+// is lost. If it has a Charge it takes that of the other, too. Colour and other components of the absorbed body are lost.
 //
 // Valid for impact speeds below about the escape speed (Leinhardt & Stewart, ApJ 745, 79, 2012). Overlaps are found at
 // the end of the step. Cost: the broad phase, and 1 µs per merger.
 
 import { despawn } from '../bodies/spawn.ts';
 import { bitOf } from '../components/membership.ts';
+import { isOpen } from '../ecs/rows.ts';
 import { pow } from '../math/elementary.ts';
 import { AXES } from '../memory/axes.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
@@ -99,7 +100,7 @@ function overlap({ components }: PhysicsWorld, a: number, b: number): boolean {
 }
 
 function merge(world: PhysicsWorld, state: State, a: number, b: number): void {
-  const { Mass, Position, Velocity, Collider } = world.components;
+  const { Mass, Position, Velocity, Collider, Charge } = world.components;
   const aStays = Mass.value[a] > Mass.value[b] || (Mass.value[a] === Mass.value[b] && a < b);
   const [survivor, absorbed] = aStays ? [a, b] : [b, a];
   const [m1, m2] = [Mass.value[survivor], Mass.value[absorbed]];
@@ -117,6 +118,7 @@ function merge(world: PhysicsWorld, state: State, a: number, b: number): void {
     v[survivor] += (m2 / mass) * (v[absorbed] - v[survivor]);
   }
   Mass.value[survivor] = mass;
+  if (isOpen(world, survivor, 'Charge')) Charge.value[survivor] += Charge.value[absorbed];
   Collider.radius[survivor] = radius;
   // Until the end of the step the absorbed body exists without mass, and no force acts on it.
   Mass.value[absorbed] = 0;
