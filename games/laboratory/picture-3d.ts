@@ -4,6 +4,7 @@ import { createBodyMesh, createSegmentLines, createTrailLines, type SegmentLines
 import { type Arrow, COLORS, type Color, type Fill, now, type Picture, type Point } from '@principia/scenes/examples';
 import type { ThreePicture } from '@principia/shell/three';
 import {
+  type BufferGeometry,
   DirectionalLight,
   DoubleSide,
   Group,
@@ -13,6 +14,7 @@ import {
   MeshStandardMaterial,
   type Object3D,
   PlaneGeometry,
+  SphereGeometry,
   Vector3,
 } from 'three';
 import type { LabRun, Trailing } from './lab-run.ts';
@@ -37,9 +39,16 @@ export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Show
   const still = createSegmentLines({ width: 2 });
   const live = createSegmentLines({ width: 2.5 });
   const labels = new LabelSprites();
-  const planes = (picture.fills ?? []).flatMap(planeOf);
+  const solids = (picture.fills ?? []).flatMap((fill) => solidOf(fill).map((mesh) => ({ mesh, fill })));
   drawStill(picture, still);
-  const object = new Group().add(bodies.object, still.object, live.object, labels.object, ...planes, ...lamps(picture));
+  const object = new Group().add(
+    bodies.object,
+    still.object,
+    live.object,
+    labels.object,
+    ...solids.map(({ mesh }) => mesh),
+    ...lamps(picture),
+  );
   for (const trail of trails) object.add(trail.object);
   return {
     object,
@@ -49,6 +58,7 @@ export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Show
         trail.object.visible = shown().trails !== false;
       }
       bodies.update(alpha);
+      for (const { mesh, fill } of solids) if ('centre' in fill.shape) placeAt(mesh, now(fill.shape.centre));
       drawLive(run, live, shown());
       writeLabels(picture, labels, shown());
     },
@@ -57,9 +67,9 @@ export function drawPicture3D(run: LabRun, source: BodySource, shown: () => Show
     },
     destroy() {
       for (const part of [...trails, still, live, bodies, labels]) part.destroy();
-      for (const { geometry, material } of planes) {
-        geometry.dispose();
-        material.dispose();
+      for (const { mesh } of solids) {
+        mesh.geometry.dispose();
+        mesh.material.dispose();
       }
     },
   };
@@ -73,8 +83,9 @@ function lamps({ view }: Picture): Object3D[] {
   return [new HemisphereLight(0xdfe6ff, 0x4a4270, 1.6), lamp, lamp.target];
 }
 
-/** A box among the fills is a plane, upright or level; discs and polygons are for pictures of two dimensions. */
-function planeOf({ shape, color, opacity = 1 }: Fill): Mesh<PlaneGeometry, MeshBasicMaterial>[] {
+/** A box among the fills is a plane, upright or level, and a disc a ball; polygons are for pictures of two dimensions. */
+function solidOf({ shape, color, opacity = 1 }: Fill): Mesh<BufferGeometry, MeshBasicMaterial>[] {
+  if ('centre' in shape) return [new Mesh(new SphereGeometry(shape.radius, 48, 24), new MeshBasicMaterial({ color }))];
   if (!('minX' in shape)) return [];
   const { minX, maxX, minY, maxY, minZ = 0, maxZ = 0 } = shape;
   const material = new MeshBasicMaterial({ color, side: DoubleSide, transparent: opacity < 1, opacity });
@@ -85,6 +96,10 @@ function planeOf({ shape, color, opacity = 1 }: Fill): Mesh<PlaneGeometry, MeshB
   else if (width === 0) plane.rotation.y = Math.PI / 2;
   plane.position.set((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
   return [plane];
+}
+
+function placeAt({ position }: Object3D, { x, y, z = 0 }: Point): void {
+  position.set(x, y, z);
 }
 
 /** RGBA bytes in memory order. */

@@ -37,7 +37,10 @@ export interface Line {
 
 /** A filled region, such as water or ground. */
 export interface Fill {
-  /** A box, a disc or a polygon; in three dimensions a box without width, height or depth, such as a wall. */
+  /**
+   * A box, a disc or a polygon; in three dimensions a box without width, height or depth, such as a wall, or a ball that
+   * shines by itself, such as a sun.
+   */
   readonly shape: ViewBox | { readonly centre: Live<Point>; readonly radius: number } | readonly Point[];
   readonly color: Color;
   /** 0 to 1; default 1. */

@@ -8,6 +8,8 @@ import {
   INNER_NAMES,
   INNER_PLANETS,
   INNER_VIEW,
+  innerLabels,
+  innerSun,
   innerTrails,
   type SolarRun,
   system2012,
@@ -39,7 +41,13 @@ export default defineExample({
   duration: 70,
   parameters: {},
   build: (_: object, { integrator = rungeKutta4 }: BuildOptions) => system2012({ integrator }),
-  picture: (run) => ({ view: INNER_VIEW, camera: INNER_CAMERA, trails: innerTrails(run) }),
+  picture: (run) => ({
+    view: INNER_VIEW,
+    camera: INNER_CAMERA,
+    fills: [innerSun(run)],
+    trails: innerTrails(run),
+    labels: innerLabels(run),
+  }),
   plots: [INNER_DISTANCES],
   checks: ({ at, smallest }) => [
     ...INNER_PLANETS.flatMap((name) => [

@@ -9,6 +9,8 @@ import {
   HOUR,
   INNER_CAMERA,
   INNER_VIEW,
+  innerLabels,
+  innerSun,
   innerTrails,
   type SolarRun,
   system2012,
@@ -54,7 +56,9 @@ export default defineExample({
     view: INNER_VIEW,
     camera: INNER_CAMERA,
     cameraPath: FLIGHT,
+    fills: [innerSun(run)],
     trails: innerTrails(run),
+    labels: innerLabels(run),
     lines: [{ from: () => aboutSun(run, 'venus').r, to: () => aboutSun(run, 'earth').r, width: 1 }],
   }),
   plots: [

@@ -13,6 +13,8 @@ import {
   INNER_NAMES,
   INNER_PLANETS,
   INNER_VIEW,
+  innerLabels,
+  innerSun,
   innerTrails,
   periodOf,
   type SolarRun,
@@ -45,7 +47,13 @@ export default defineExample({
       integrator,
     );
   },
-  picture: (run) => ({ view: INNER_VIEW, camera: INNER_CAMERA, trails: innerTrails(run) }),
+  picture: (run) => ({
+    view: INNER_VIEW,
+    camera: INNER_CAMERA,
+    fills: [innerSun(run)],
+    trails: innerTrails(run),
+    labels: innerLabels(run),
+  }),
   plots: [INNER_DISTANCES],
   checks: ({ at }) => [
     ...INNER_PLANETS.map((name) =>

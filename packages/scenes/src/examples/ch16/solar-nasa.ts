@@ -11,6 +11,8 @@ import {
   INNER_NAMES,
   INNER_PLANETS,
   INNER_VIEW,
+  innerLabels,
+  innerSun,
   innerTrails,
   jplPlace,
   type SolarRun,
@@ -55,7 +57,9 @@ export default defineExample({
   picture: (run) => ({
     view: INNER_VIEW,
     camera: INNER_CAMERA,
+    fills: [innerSun(run)],
     trails: innerTrails(run),
+    labels: innerLabels(run),
     curves: INNER_PLANETS.map((name) => ({
       points: [],
       now: () => jplPlace(name, YEAR),

@@ -61,7 +61,7 @@ export default defineExample({
       measure: () => value,
     })),
     {
-      label: 'Year, Kepler’s third law',
+      label: 'Year, Kepler’s third law; short of 365.26 d, as 29.78 km/s is rounded',
       unit: 'd',
       exact: 364.897,
       tolerance: { relative: 1e-5 },

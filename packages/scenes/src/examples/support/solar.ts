@@ -17,6 +17,7 @@ import {
 import { solarState } from '../../solar-system/build.ts';
 import { positions2012 } from '../../solar-system/positions-2012.ts';
 import { BODY_NAMES, type BodyName, SPEED_OF_LIGHT } from '../../solar-system/states.ts';
+import type { Fill, Label } from '../picture.ts';
 import { lengthOf, positionOf, velocityOf } from './read.ts';
 import { cross, dot, type Point3, plus, times } from './space.ts';
 
@@ -170,6 +171,16 @@ export const INNER_CAMERA = { eye: { x: 0, y: -600, z: 800 }, target: { x: 0, y:
 /** The trails of the inner planets. */
 export const innerTrails = ({ ids }: SolarRun) =>
   INNER_PLANETS.map((name) => ({ body: ids[name] as number, length: 700, interval: 24 }));
+
+/** The Sun as it shines by itself. */
+export const innerSun = (run: SolarRun): Fill => ({
+  shape: { centre: () => positionOf(run.world, run.ids.sun as number), radius: 17 },
+  color: 0xffd873,
+});
+
+/** The names of the inner planets, beside them. */
+export const innerLabels = ({ world, ids }: SolarRun): Label[] =>
+  INNER_PLANETS.map((name) => ({ at: () => positionOf(world, ids[name] as number), text: INNER_NAMES[name] }));
 
 /** What the inner planets are called. */
 export const INNER_NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
