@@ -66,8 +66,11 @@ export default defineExample({
   }),
   plots: [],
   checks: ({ at }) => [
-    at(0, 'Length of the line, √(200² + 300²)', { exact: 360.6, unit: 'px', absolute: 0.05 }, () =>
-      distanceBetween(A, B),
+    at(
+      0,
+      'Length of the line, √(200² + 300²)',
+      { exact: Math.sqrt(200 * 200 + 300 * 300), unit: 'px', absolute: 1e-9 },
+      () => distanceBetween(A, B),
     ),
     at(0, 'Area of the green box', { exact: 15000, unit: 'px²', absolute: 0 }, () => areaOf(RECTANGLE)),
     at(0, 'Area within the blue outline', { exact: 15000, unit: 'px²', absolute: 0 }, () => areaOf(OUTLINE)),

@@ -22,7 +22,7 @@ export default defineExample({
   chapter: 2,
   tags: ['drawing', 'colour'],
   about:
-    'A gradient is many stripes, each of a slightly different colour: red, green and blue are each mixed in proportion to the way. Half-way between white and blue all three are half-way. For a glow the stripes are rings, from the outside in. With few stripes one sees how it is made.',
+    'A gradient is many stripes, each of a slightly different colour: red, green and blue are each mixed in proportion to the distance. Half-way between white and blue all three are half-way. For a glow the stripes are rings, from the outside in. With few stripes one sees how it is made.',
   duration: 10,
   parameters: { stripes: { label: 'Stripes', initial: 101, min: 3, max: 101, integer: true } },
   presets: [{ label: 'Nine stripes', values: { stripes: 9 } }],
@@ -75,9 +75,9 @@ export default defineExample({
     },
   ],
   checks: ({ at }) => [
-    at(0, 'Red of the stripe at half height', { exact: 128, absolute: 2 }, ({ sky }) => sky[50][0]),
+    at(0, 'Red of the stripe at half height', { exact: 255 / 2, absolute: 1e-9 }, ({ sky }) => sky[50][0]),
     at(0, 'Blue of the stripe at half height', { exact: 255, absolute: 0 }, ({ sky }) => sky[50][2]),
-    at(0, 'Green of the glow half-way from 5 to 50 px', { exact: 127.5, absolute: 2 }, ({ glow }) => glow[50][1]),
+    at(0, 'Green of the glow half-way from 5 to 50 px', { exact: 255 / 2, absolute: 1e-9 }, ({ glow }) => glow[50][1]),
   ],
   tryThis: ['Choose “Nine stripes”: the eye sees an edge at each, even darker than it is.'],
 });

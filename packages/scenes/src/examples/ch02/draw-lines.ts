@@ -47,7 +47,12 @@ export default defineExample({
   },
   plots: [],
   checks: ({ at }) => [
-    at(0, 'Length, √(200² + 300²)', { exact: 360.6, unit: 'px', absolute: 0.05 }, ({ length }) => length()),
+    at(
+      0,
+      'Length, √(200² + 300²)',
+      { exact: Math.sqrt(200 * 200 + 300 * 300), unit: 'px', absolute: 1e-9 },
+      ({ length }) => length(),
+    ),
     at(0, 'Squares of 10 px, one in each row: 300/10 + 1', { exact: 31, absolute: 0 }, ({ squares }) => squares.length),
   ],
   tryThis: [

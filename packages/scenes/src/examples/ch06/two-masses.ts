@@ -123,7 +123,7 @@ export default defineExample({
     {
       ...orbit,
       label: 'Period of equal masses',
-      exact: 19.635,
+      exact: 6.25 * Math.PI,
       at: { event: ({ parting }) => parting(), from: 1, to: 2 },
       preset: 'Equal masses',
     },

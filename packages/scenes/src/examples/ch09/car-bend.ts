@@ -80,7 +80,7 @@ export default defineExample({
     {
       label: 'Time for one round, 2πr/v',
       unit: 's',
-      exact: 47.124,
+      exact: 15 * Math.PI,
       tolerance: { absolute: 5e-4 },
       // The car starts on this line; it crosses it again at the end of the round.
       at: { event: ({ world, car }) => (world.time > 1 ? positionOf(world, car).y - CENTRE.y : -1), count: 2 },

@@ -69,14 +69,23 @@ export default defineExample({
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, bob }) => positionOf(world, bob).x - PIVOT.x, from: 1, to: 2 },
     },
-    largest(10, 'Largest speed, √(2gL(1 − cos φ))', { exact: 73.205, unit: 'px/s', relative: 1e-3 }, ({ world, bob }) =>
-      speedOf(world, bob),
+    largest(
+      10,
+      'Largest speed, √(2gL(1 − cos φ))',
+      { exact: 100 * (Math.sqrt(3) - 1), unit: 'px/s', relative: 1e-3 },
+      ({ world, bob }) => speedOf(world, bob),
     ),
-    largest(10, 'Largest tension, at the bottom', { exact: 126.79, unit: 'N', relative: 1e-3 }, ({ tension }) =>
-      tension(),
+    largest(
+      10,
+      'Largest tension, at the bottom',
+      { exact: 100 * (3 - Math.sqrt(3)), unit: 'N', relative: 1e-3 },
+      ({ tension }) => tension(),
     ),
-    smallest(10, 'Smallest tension, m g cos φ at the ends', { exact: 86.6, unit: 'N', relative: 1e-3 }, ({ tension }) =>
-      tension(),
+    smallest(
+      10,
+      'Smallest tension, m g cos φ at the ends',
+      { exact: 50 * Math.sqrt(3), unit: 'N', relative: 1e-3 },
+      ({ tension }) => tension(),
     ),
     at(
       100,

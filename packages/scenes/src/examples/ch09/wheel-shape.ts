@@ -54,7 +54,7 @@ export default defineExample({
     at(
       0,
       'Distance of the tips of two neighbouring spokes, 2 r sin(π/n)',
-      { exact: 24.7214, unit: 'px', absolute: 5e-5 },
+      { exact: 20 * (Math.sqrt(5) - 1), unit: 'px', absolute: 5e-5 },
       ({ tips }) => distanceBetween(tips[0], tips[1]),
     ),
     at(

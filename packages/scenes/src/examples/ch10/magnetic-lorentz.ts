@@ -80,7 +80,7 @@ export default defineExample({
     {
       label: 'Period, 2π m/(q B)',
       unit: 's',
-      exact: 12.5664,
+      exact: 4 * Math.PI,
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, charge }) => positionOf(world, charge).x - START.x, from: 1, to: 2 },
     },
@@ -90,7 +90,7 @@ export default defineExample({
     {
       label: 'Period in the weaker field',
       unit: 's',
-      exact: 31.416,
+      exact: 10 * Math.PI,
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, charge }) => positionOf(world, charge).x - START.x, from: 1, to: 2 },
       preset: 'A weaker field',

@@ -56,7 +56,7 @@ export default defineExample({
     at(
       4,
       'Common velocity at e = 0',
-      { exact: 51.5873, unit: 'px/s', absolute: 5e-5, preset: 'They stay together' },
+      { exact: 6500 / 126, unit: 'px/s', absolute: 5e-5, preset: 'They stay together' },
       ({ left, v }) => v(left),
     ),
   ],

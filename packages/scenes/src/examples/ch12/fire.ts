@@ -92,7 +92,7 @@ export default defineExample({
     at(
       0,
       'How much a flame grows in its life, 1.01 to the power of 25',
-      { exact: 1.282, unit: '×', absolute: 5e-4 },
+      { exact: 1.01 ** 25, unit: '×', absolute: 5e-4 },
       () => GROWTH,
     ),
   ],

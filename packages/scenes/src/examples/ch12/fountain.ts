@@ -84,7 +84,7 @@ export default defineExample({
     largest(
       15,
       'Reach of the outer jets, v² sin 120°/g',
-      { exact: 433.013, unit: 'px', absolute: 100 / 60 },
+      { exact: 250 * Math.sqrt(3), unit: 'px', absolute: 100 / 60 },
       ({ widest }) => widest(),
     ),
     at(

@@ -105,10 +105,10 @@ export default defineExample({
     at(
       0,
       'Exact moment of the box, (w² + h²)/12',
-      { exact: 1041.667, unit: 'px²', relative: 1e-6 },
+      { exact: 3125 / 3, unit: 'px²', relative: 1e-6 },
       ({ exact }) => exact,
     ),
-    at(20, 'The same by random points', { exact: 1041.667, unit: 'px²', relative: 0.01 }, ({ estimate }) => estimate()),
+    at(20, 'The same by random points', { exact: 3125 / 3, unit: 'px²', relative: 0.01 }, ({ estimate }) => estimate()),
     at(
       0,
       'Exact moment of the disc, r²/2',

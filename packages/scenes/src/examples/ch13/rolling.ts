@@ -126,7 +126,7 @@ export default defineExample({
     {
       label: 'Speed then',
       unit: 'px/s',
-      exact: 37.796,
+      exact: 100 / Math.sqrt(7),
       tolerance: { relative: 1e-4 },
       at: { event: ({ way }) => way() - LENGTH },
       measure: ({ world, ball }) => speedOf(world, ball),

@@ -67,7 +67,7 @@ export default defineExample({
   ],
   checks: ({ at }) => [
     ...[
-      { axis: 'y' as const, label: 'It hits the floor, √(2 h/g)', exact: 2.8284 },
+      { axis: 'y' as const, label: 'It hits the floor, √(2 h/g)', exact: Math.sqrt(8) },
       { axis: 'z' as const, label: 'It hits the violet wall', exact: 4 },
       { axis: 'x' as const, label: 'It hits the blue wall', exact: 9 },
     ].map(({ axis, label, exact }) => ({

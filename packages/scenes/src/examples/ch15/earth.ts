@@ -58,7 +58,7 @@ export default defineExample({
     },
     {
       label: 'Steps of 1/60 s in a day',
-      exact: 628.3,
+      exact: 200 * Math.PI,
       tolerance: { relative: 1e-3 },
       at: { event: ({ town }) => town().z, from: 1, to: 2 },
       measure: ({ world }) => world.tick,
