@@ -48,7 +48,7 @@ export default defineExample({
     labels: [{ at: { x: 20, y: 495 }, text: () => `throw ${launches.count}` }],
   }),
   plots: (plot) => [
-    plot('Way to the right', 'x, px', { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x }),
+    plot('Distance to the right', 'x, px', { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x }),
   ],
   checks: ({ at, largest }) => [
     largest(30, 'Most balls at any time', { exact: 1, absolute: 0 }, ({ world }) => bodies(world).count),

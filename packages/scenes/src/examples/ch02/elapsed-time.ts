@@ -45,8 +45,8 @@ export default defineExample({
   }),
   plots: (plot) => [
     plot(
-      'Way by counting pictures',
-      'way, px',
+      'Distance by counting pictures',
+      'distance, px',
       ...[30, 60, 144].map((rate, i) => ({
         label: `${rate} a second`,
         value: ({ screens }: { screens: readonly { counted(): number }[] }) => screens[i].counted() - START,
@@ -56,7 +56,7 @@ export default defineExample({
   checks: ({ at }) => [
     at(
       10,
-      'Way of a blue dot in 10 s, v t',
+      'Distance of a blue dot in 10 s, v t',
       { exact: ({ speed }) => 10 * speed, unit: 'px', relative: 1e-9 },
       ({ screens }) => screens[2].timed() - START,
     ),

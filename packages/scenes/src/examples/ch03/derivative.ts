@@ -12,7 +12,7 @@ export default defineExample({
   chapter: 3,
   tags: ['functions', 'derivative', 'accuracy'],
   about:
-    'The computer measures the slope of y = x² with two points of the curve. If it takes the dot and one further on (blue), it looks ahead, and finds 2x + h instead of 2x. If it takes one point before and one behind (green), the errors cancel, and the slope of a parabola comes out exactly.',
+    'The computer measures the slope of y = x² with two points of the curve. If it takes the dot and one further on (blue), it looks ahead, and finds 2x + h instead of 2x. If it takes one point ahead and one behind (green), the errors cancel, and the slope of a parabola comes out exactly.',
   duration: 10,
   parameters: { h: { label: 'Distance of the points h', initial: 0.3, min: 0.01, max: 1.5 } },
   presets: [{ label: 'Points far apart', values: { h: 1.5 } }],

@@ -8,7 +8,7 @@ export default defineExample({
   chapter: 3,
   tags: ['vectors', 'pythagoras'],
   about:
-    'Go from one point to the other along the grid: first across, then up. The straight way is the long side of a right-angled triangle, so its square is the sum of the two squares: 3² + 4² = 5². Games ask this question all the time: has the ball touched the player?',
+    'Go from one point to the other along the grid: first across, then up. The straight line is the long side of a right-angled triangle, so its square is the sum of the two squares: 3² + 4² = 5². Games ask this question all the time: has the ball touched the player?',
   duration: 4,
   parameters: {
     ax: { label: 'First point, x', initial: 1, min: 0, max: 9 },

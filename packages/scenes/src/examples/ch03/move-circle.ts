@@ -13,7 +13,7 @@ export default defineExample({
   chapter: 3,
   tags: ['functions', 'circle', 'animation'],
   about:
-    'From x² + y² = 1 follows y = −√(1 − x²), the lower half of a circle. The dot moves evenly to the right, but not evenly along the circle: where the circle is steep it has a long way to go for each bit of x. A function has one y for each x, so it cannot go round at all.',
+    'From x² + y² = 1 follows y = −√(1 − x²), the lower half of a circle. The dot moves evenly to the right, but not evenly along the circle: where the circle is steep it has a long distance to go for each bit of x. A function has one y for each x, so it cannot go round at all.',
   duration: 2 / SPEED,
   ends: true,
   parameters: { radius: { label: 'Radius', initial: 1, min: 0.5, max: 1.2 } },
@@ -61,6 +61,6 @@ export default defineExample({
   ],
   tryThis: [
     'Watch the dot at both ends: it falls like a stone, although x grows as slowly as everywhere.',
-    'Compare it with the next example, which goes round evenly.',
+    'Compare it with “Round and round with sine and cosine”, one example back, where the dot goes round evenly.',
   ],
 });

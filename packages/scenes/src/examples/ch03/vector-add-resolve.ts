@@ -12,7 +12,7 @@ export default defineExample({
   chapter: 3,
   tags: ['vectors'],
   about:
-    'Two people pull at a box, each in a direction of his own. Put the tail of the second arrow to the tip of the first, and you get the arrow of what both do together. The longest side of the parallelogram is never longer than both arrows in a row, and never shorter than their difference.',
+    'Two people pull at a box, each in a different direction. Put the tail of the second arrow to the tip of the first, and you get the arrow of what both do together. It is the diagonal of the parallelogram of both: never longer than the two arrows in a row, and never shorter than the difference of their lengths.',
   duration: 12,
   parameters: {
     a: { label: 'Length of a', initial: 3, min: 0.5, max: 5 },
@@ -57,7 +57,7 @@ export default defineExample({
     at(
       0,
       'Direction of their sum',
-      { exact: 53.13, unit: '°', absolute: 5e-4 },
+      { exact: (atan2(4, 3) * 180) / Math.PI, unit: '°', absolute: 1e-12 },
       ({ total }) => (atan2(total().y, total().x) * 180) / Math.PI,
     ),
     at(

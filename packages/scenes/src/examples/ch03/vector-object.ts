@@ -15,7 +15,7 @@ export default defineExample({
   chapter: 3,
   tags: ['vectors', 'geometry'],
   about:
-    'Two numbers that go together make a vector. Add two by putting the second at the tip of the first; subtract, and you get the way from one tip to the other. Divide a vector by its length and its direction is left, of length 1: the small white arrow. With these few operations all of our motion is written.',
+    'Two numbers that go together make a vector. Add two by putting the second at the tip of the first; subtract, and you get the arrow from one tip to the other. Divide a vector by its length and its direction is left, of length 1: the small white arrow. With these few operations all of our motion is written.',
   duration: 12,
   parameters: {
     a: { label: 'Length of the first', initial: 1.5, min: 0.2, max: 2 },

@@ -43,28 +43,36 @@ export default defineExample({
   }),
   plots: (plot) => [
     plot(
-      'Way in both directions',
-      'way, px',
-      { label: 'x', value: ({ world, ball }) => positionOf(world, ball).x - START.x, exact: (t, { vx }) => vx * t },
-      { label: 'y', value: ({ world, ball }) => positionOf(world, ball).y - START.y, exact: (t, { vy }) => vy * t },
+      'Distance from the start',
+      'distance, px',
+      {
+        label: 'to the right',
+        value: ({ world, ball }) => positionOf(world, ball).x - START.x,
+        exact: (t, { vx }) => vx * t,
+      },
+      {
+        label: 'downwards',
+        value: ({ world, ball }) => positionOf(world, ball).y - START.y,
+        exact: (t, { vy }) => vy * t,
+      },
     ),
   ],
   checks: ({ at }) => [
     at(
       5,
-      'x after 5 s',
+      'x after 5 s, from 150 px at the start',
       { exact: ({ vx }) => START.x + 5 * vx, unit: 'px', absolute: 1e-9 },
       ({ world, ball }) => positionOf(world, ball).x,
     ),
     at(
       5,
-      'y after 5 s',
+      'y after 5 s, from 50 px at the start',
       { exact: ({ vy }) => START.y + 5 * vy, unit: 'px', absolute: 1e-9 },
       ({ world, ball }) => positionOf(world, ball).y,
     ),
   ],
   tryThis: [
     'Give it the velocity 60 and 40: the direction is the same, and it gets twice as far.',
-    'Set the velocity downwards to 0: the curve of y in the plot becomes level.',
+    'Set the velocity downwards to 0: the downward curve in the plot becomes level.',
   ],
 });

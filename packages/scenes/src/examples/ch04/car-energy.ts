@@ -20,7 +20,7 @@ export default defineExample({
   chapter: 4,
   tags: ['energy', 'power', 'drag'],
   about:
-    'The blue car has its engine at full power: each second it adds 50 J, and the drag takes c v² away. The speed settles where both are equal. The orange car coasts with the engine off, and loses its energy little by little. Hold the arrow up to switch its engine on.',
+    'The blue car has its engine at full power: each second it adds 50 J, and the drag takes c v² away. The speed settles where both are equal. The orange car coasts with the engine off, and loses its energy little by little. Hold the up arrow to switch its engine on.',
   duration: 60,
   parameters: {
     power: { label: 'Power of the engine', unit: 'W', initial: 50, min: 10, max: 200 },
@@ -91,8 +91,11 @@ export default defineExample({
       { exact: (values) => exactSpeed(10, values), unit: 'px/s', relative: 1e-3 },
       ({ world, ball }) => speedOf(world, ball),
     ),
-    at(60, 'Highest speed, √(P/c)', { exact: 22.361, unit: 'px/s', relative: 1e-3 }, ({ world, ball }) =>
-      speedOf(world, ball),
+    at(
+      60,
+      'Highest speed, √(P/c)',
+      { exact: ({ power, drag }) => Math.sqrt(power / drag), unit: 'px/s', relative: 1e-3 },
+      ({ world, ball }) => speedOf(world, ball),
     ),
     at(
       10,

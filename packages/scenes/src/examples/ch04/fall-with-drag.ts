@@ -21,7 +21,7 @@ export default defineExample({
   chapter: 4,
   tags: ['gravity', 'drag', 'terminal velocity'],
   about:
-    'The weight m g pulls down, and the drag k v pulls back, the more the faster the ball falls. What is left of the force shrinks as the drag grows, and with it the acceleration. In the end both are equal, and the ball falls evenly at the terminal velocity m g/k. Each two seconds the missing speed shrinks to 37 %.',
+    'The weight m g pulls down, and the drag k v pulls back, harder the faster the ball falls. What is left of the force shrinks as the drag grows, and with it the acceleration. In the end both are equal, and the ball falls evenly at the terminal velocity m g/k. Each two seconds the missing speed shrinks to 37 %.',
   duration: 30,
   parameters: {
     mass: { label: 'Mass', unit: 'kg', initial: 1, min: 0.5, max: 3 },

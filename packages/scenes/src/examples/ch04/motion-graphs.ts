@@ -13,7 +13,7 @@ export default defineExample({
   chapter: 4,
   tags: ['acceleration', 'velocity', 'graph'],
   about:
-    'A car accelerates evenly. The three graphs tell the same story: the slope of the way is the velocity, the slope of the velocity is the acceleration, and the area under the velocity is the way. Who knows one of the graphs can draw the other two.',
+    'A car accelerates evenly. The three graphs tell the same story: the slope of the distance is the velocity, the slope of the velocity is the acceleration, and the area under the velocity is the distance. Whoever knows one of the graphs can draw the other two.',
   duration: 8,
   ends: true,
   parameters: {
@@ -58,13 +58,13 @@ export default defineExample({
     labels: [{ at: { x: -18, y: -16 }, text: 'the dots are a second apart', color: COLORS.yellow }],
   }),
   plots: (plot) => [
-    plot('Way', 's, m', {
+    plot('Distance', 's, m', {
       label: 's',
       value: ({ world, ball }) => positionOf(world, ball).x,
       exact: (t, { velocity, acceleration }) => velocity * t + (acceleration / 2) * t * t,
     }),
     plot(
-      'Velocity, and slope of the way',
+      'Velocity, and slope of the distance',
       'v, m/s',
       { label: 'v', value: ({ world, ball }) => velocityOf(world, ball).x },
       { label: 'slope', value: ({ slope }) => slope() },
@@ -74,19 +74,19 @@ export default defineExample({
     // The slope over the last step is the velocity in its middle.
     at(
       4,
-      'Slope of the way less velocity after 4 s, −a dt/2',
+      'Slope of the distance less velocity after 4 s, −a dt/2',
       { exact: ({ acceleration }) => (-acceleration * DT) / 2, unit: 'm/s', absolute: 1e-9 },
       ({ world, ball, slope }) => slope() - velocityOf(world, ball).x,
     ),
     at(
       8,
-      'Area under the velocity less way after 8 s',
+      'Area under the velocity less distance after 8 s',
       { exact: 0, unit: 'm', absolute: 1e-9 },
       ({ world, ball, log }) => log.area - positionOf(world, ball).x,
     ),
   ],
   tryThis: [
-    'Choose the braking car: where the velocity goes through 0, the way has its highest point.',
-    'Set the acceleration to 0: the graph of the way becomes a straight line.',
+    'Choose the braking car: where the velocity goes through 0, the distance has its highest point.',
+    'Set the acceleration to 0: the graph of the distance becomes a straight line.',
   ],
 });

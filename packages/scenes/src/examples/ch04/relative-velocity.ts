@@ -49,8 +49,8 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Way across and along',
-      'way, m',
+      'Distance across and along',
+      'distance, m',
       { label: 'across', value: ({ world, ball }) => positionOf(world, ball).y, exact: (t, { boat }) => boat * t },
       { label: 'along', value: ({ world, ball }) => positionOf(world, ball).x, exact: (t, { river }) => river * t },
     ),
@@ -62,7 +62,7 @@ export default defineExample({
     at(
       4,
       'Its direction from the bank',
-      { exact: 53.13, unit: '°', absolute: 5e-3 },
+      { exact: (atan2(4, 3) * 180) / Math.PI, unit: '°', absolute: 1e-9 },
       ({ world, ball }) => (atan2(velocityOf(world, ball).y, velocityOf(world, ball).x) * 180) / Math.PI,
     ),
     {

@@ -47,7 +47,7 @@ export default defineExample({
       value: ({ world, ball }) => velocityOf(world, ball).x,
       exact: (t, { velocity, acceleration }) => velocity + acceleration * t,
     }),
-    plot('Way', 's, m', {
+    plot('Distance', 's, m', {
       label: 's',
       value: ({ world, ball }) => positionOf(world, ball).x,
       exact: (t, { velocity, acceleration }) => velocity * t + (acceleration / 2) * t * t,
@@ -62,7 +62,7 @@ export default defineExample({
     ),
     at(
       2,
-      'Way after 2 s, u t + ½ a t²',
+      'Distance after 2 s, u t + ½ a t²',
       { exact: ({ velocity, acceleration }) => 2 * velocity + 2 * acceleration, unit: 'm', absolute: 1e-11 },
       ({ world, ball }) => positionOf(world, ball).x,
     ),
@@ -78,7 +78,7 @@ export default defineExample({
     ),
   ],
   tryThis: [
-    'Brake: with −10 m/s² the car stops exactly at the end, after half the way of the other car.',
-    'Start at rest: the way grows with the square of the time, 5 m after one second and 20 m after two.',
+    'Brake: with −10 m/s² the car stops exactly at the end, after half the distance of the other car.',
+    'Start at rest: the distance grows with the square of the time, 5 m after one second and 20 m after two.',
   ],
 });

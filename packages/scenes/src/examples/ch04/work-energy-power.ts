@@ -12,7 +12,7 @@ export default defineExample({
   chapter: 4,
   tags: ['energy', 'work', 'power'],
   about:
-    'A steady force pushes a sledge over the ice. Force times way is the work, and all of it becomes energy of motion ½ m v²: the two bars grow together. The power is force times velocity, so the same force delivers more and more energy per second, the faster the sledge goes.',
+    'A steady force pushes a sledge over the ice. Force times distance is the work, and all of it becomes energy of motion ½ m v²: the two bars grow together. The power is force times velocity, so the same force delivers more and more energy per second, the faster the sledge goes.',
   duration: 3,
   ends: true,
   parameters: {

@@ -53,7 +53,7 @@ export default defineExample({
     labels: [{ at: { x: 145, y: START + 8 }, text: 'without drag', color: COLORS.grey }],
   }),
   plots: (plot) => [
-    plot('Way', 's, px', {
+    plot('Distance fallen', 's, px', {
       label: 'stepped',
       value: ({ world, ball }) => positionOf(world, ball).y - START,
       exact: exactWay,
@@ -67,7 +67,7 @@ export default defineExample({
   checks: ({ at }) => [
     at(
       10,
-      'Way after 10 s',
+      'Distance after 10 s',
       { exact: (values) => exactWay(10, values), unit: 'px', relative: 1e-4 },
       ({ world, ball }) => positionOf(world, ball).y - START,
     ),
@@ -79,7 +79,7 @@ export default defineExample({
     ),
     at(
       10,
-      'Way after 10 s by the simplest scheme',
+      'Distance after 10 s by the simplest scheme',
       { exact: 160.27, unit: 'px', relative: 1e-3, integrator: positionFirstEuler },
       ({ world, ball }) => positionOf(world, ball).y - START,
     ),

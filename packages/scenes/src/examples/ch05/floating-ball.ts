@@ -25,7 +25,7 @@ export default defineExample({
   duration: 30,
   parameters: {
     gravity: { label: 'Gravity', unit: 'px/s²', initial: 50, min: 1, max: 100 },
-    density: { label: 'Density of the fluid', unit: '1/V', initial: 1.5, min: 1.05, max: 4 },
+    density: { label: 'Density, fluid over ball', unit: '×', initial: 1.5, min: 1.05, max: 4 },
     drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.01, min: 0, max: 0.1 },
   },
   build({ gravity, density, drag }, options) {

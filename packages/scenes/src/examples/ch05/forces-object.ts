@@ -21,12 +21,12 @@ export default defineExample({
   chapter: 5,
   tags: ['forces', 'drag', 'wind'],
   about:
-    'Three forces act on the ball: its weight, the drag of the thick air, and the push of the wind. Each is computed by itself, as if the others were not there, and then their arrows are added. The white arrow is the sum, and it alone says how the velocity changes. In the end it vanishes.',
+    'Three forces act on the ball: its weight; a linear drag, against its velocity; and a quadratic drag, against its velocity relative to the wind, which so pushes it along. Each is computed by itself, as if the others were not there, and then their arrows are added. The white arrow is the sum, and it alone says how the velocity changes. In the end it vanishes.',
   duration: 10,
   parameters: {
     gravity: { label: 'Gravity', unit: 'm/s²', initial: 10, min: 0, max: 20 },
     wind: { label: 'Wind to the right', unit: 'm/s', initial: 6, min: -12, max: 12 },
-    drag: { label: 'Drag in the wind', unit: 'kg/m', initial: 0.1, min: 0.02, max: 0.5 },
+    drag: { label: 'Quadratic drag', unit: 'kg/m', initial: 0.1, min: 0.02, max: 0.5 },
   },
   presets: [{ label: 'No wind', values: { wind: 0 } }],
   build({ gravity, wind, drag }: Values, { integrator = velocityVerlet }: BuildOptions) {
@@ -55,8 +55,8 @@ export default defineExample({
       trails: [{ body: ball, length: 1500 }],
       arrows: [
         { label: 'weight', from: at, vector: weight, scale: 0.7, color: COLORS.orange },
-        { label: 'drag', from: at, vector: friction, scale: 0.7, color: COLORS.red },
-        { label: 'wind', from: at, vector: push, scale: 0.7, color: COLORS.blue },
+        { label: 'linear drag', from: at, vector: friction, scale: 0.7, color: COLORS.red },
+        { label: 'drag in the wind', from: at, vector: push, scale: 0.7, color: COLORS.blue },
         { label: 'sum', from: at, vector: sum, scale: 0.7, color: COLORS.white },
       ],
     };

@@ -91,7 +91,7 @@ export default defineExample({
     ),
     at(
       10,
-      'Way of the centre of mass in 10 s, Σp t/Σm',
+      'Distance of the centre of mass in 10 s, Σp t/Σm',
       {
         exact: ({ mass }) => (10 * Math.sqrt(quadrance(0.4 * mass + 5.6 + 0.0007, 2 * mass - 5.6))) / (mass + 7.001),
         unit: 'm',

@@ -119,7 +119,7 @@ export default defineExample({
     ),
     at(
       10,
-      'Way to the right less way upwards after 10 s',
+      'Distance to the right less distance upwards after 10 s',
       { exact: 0, unit: 'px', absolute: 1e-9, preset: 'Drag only' },
       ({ world, ball }) => positionOf(world, ball).x + positionOf(world, ball).y - START.x - START.y,
     ),

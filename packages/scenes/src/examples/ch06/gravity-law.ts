@@ -14,11 +14,11 @@ export default defineExample({
   chapter: 6,
   tags: ['gravity', 'forces'],
   about:
-    'Newton’s law of gravity in a picture: the force is the product of the masses over the square of the distance. At twice the distance it is a quarter, at four times a sixteenth. It never becomes zero. Each of the two bodies feels the same force, in opposite directions, however different they are.',
+    'Newton’s law of gravity in a picture: the force is G times the product of the masses over the square of the distance. Here G is 1 N m²/kg², for handy numbers; the true G is fifteen thousand million times smaller. At twice the distance it is a quarter, at four times a sixteenth. It never becomes zero. Each of the two bodies feels the same force, in opposite directions, however different they are.',
   duration: 6,
   parameters: {
-    m1: { label: 'First mass', unit: 'kg', initial: 3, min: 1, max: 5 },
-    m2: { label: 'Second mass', unit: 'kg', initial: 5, min: 1, max: 5 },
+    m1: { label: 'First mass m₁', unit: 'kg', initial: 3, min: 1, max: 5 },
+    m2: { label: 'Second mass m₂', unit: 'kg', initial: 5, min: 1, max: 5 },
   },
   build({ m1, m2 }: ValuesOf<'m1' | 'm2'>, { integrator = velocityVerlet }: BuildOptions) {
     // Pairs at three distances, so far from each other that they do not feel the other pairs.
@@ -51,8 +51,11 @@ export default defineExample({
   },
   plots: [],
   checks: ({ at }) => [
-    at(DT, 'Force at 2 m, m₁ m₂/4', { exact: ({ m1, m2 }) => (m1 * m2) / 4, unit: 'N', relative: 1e-4 }, ({ pull }) =>
-      pull(1, 0),
+    at(
+      DT,
+      'Force at 2 m, G m₁ m₂/r² with G = 1',
+      { exact: ({ m1, m2 }) => (m1 * m2) / 4, unit: 'N', relative: 1e-4 },
+      ({ pull }) => pull(1, 0),
     ),
     at(DT, 'Force at 4 m over that at 2 m', { exact: 0.25, relative: 1e-4 }, ({ pull }) => pull(2, 0) / pull(1, 0)),
     at(

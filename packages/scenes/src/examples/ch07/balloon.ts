@@ -41,10 +41,10 @@ export default defineExample({
   chapter: 7,
   tags: ['buoyancy', 'drag', 'terminal speed'],
   about:
-    'The air pushes the balloon up with the weight of the air whose place it takes. Its hot air is lighter, so it rises, until drag balances what is left of the lift. Heat it, and it takes more room; cool it to the density of the air, 1.2, and nothing drives it any more.',
+    'The air pushes the balloon up with the weight of the air whose place it takes. Its hot air is lighter, so it rises, until drag balances what is left of the lift. Heat it, and it takes more room; cool it to the density of the air, 1.2 kg/m³, and nothing drives it any more.',
   duration: 40,
   parameters: {
-    density: { label: 'Density of the balloon', unit: 'kg/V', initial: 1.1, min: 1, max: 1.19 },
+    density: { label: 'Density of the balloon', unit: 'kg/m³', initial: 1.1, min: 1, max: 1.19 },
     drag: { label: 'Drag coefficient', unit: 'kg/px', initial: 0.01, min: 0, max: 0.05 },
   },
   presets: [{ label: 'No drag', values: { drag: 0 } }],
@@ -97,7 +97,7 @@ export default defineExample({
         },
         velocityArrow(world, balloon, 4),
       ],
-      labels: [{ at: () => ({ x: at().x + 50, y: at().y }), text: () => `density ${burner.density.toFixed(3)}` }],
+      labels: [{ at: () => ({ x: at().x + 50, y: at().y }), text: () => `density ${burner.density.toFixed(3)} kg/m³` }],
     };
   },
   actions: {
@@ -144,7 +144,7 @@ export default defineExample({
     ),
   ],
   tryThis: [
-    'Hold the key that cools until the label says 1.200: the balloon keeps floating up, ever more slowly.',
+    'Hold the key that cools until the label says 1.200 kg/m³: the balloon keeps floating up, ever more slowly.',
     'Choose “No drag”: the balloon goes faster and faster.',
   ],
 });

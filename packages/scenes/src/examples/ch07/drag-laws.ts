@@ -9,7 +9,7 @@ export default defineExample({
   chapter: 7,
   tags: ['drag', 'motion'],
   about:
-    'Slow things in honey feel drag that grows with the speed, fast things in air drag that grows with its square. The quadratic one brakes hard at first, and then hardly at all: after five seconds its ball is far slower, but it never quite stops: the way of the other has a limit, its own has none.',
+    'Slow things in honey feel drag that grows with the speed, fast things in air drag that grows with its square. The quadratic one brakes hard at first, and then hardly at all: after five seconds its ball is far slower, but it never quite stops: the distance of the other has a limit, its own has none.',
   duration: 30,
   parameters: {
     drag: { label: 'Coefficient k of both', unit: 'kg/s, kg/px', initial: 0.1, min: 0.02, max: 0.5 },
@@ -75,6 +75,6 @@ export default defineExample({
   ],
   tryThis: [
     'Choose “Slow”: at 1 px/s both brake alike at first, and then the quadratic drag is the weaker one.',
-    'Double k: the ball with linear drag stops after half the way.',
+    'Double k: the ball with linear drag stops after half the distance.',
   ],
 });

@@ -68,7 +68,7 @@ export default defineExample({
   },
   plots: (plot) => [
     plot('Speed', 'v, px/s', { label: 'block', value: ({ world, block }) => speedOf(world, block) }),
-    plot('Way', 's, px', { label: 'block', value: ({ distance }) => distance() }),
+    plot('Distance', 's, px', { label: 'block', value: ({ distance }) => distance() }),
   ],
   checks: ({ at }) => [
     at(30, 'Speed after 30 s at the limit', { exact: 0, unit: 'px/s', absolute: 1e-12 }, ({ world, block }) =>

@@ -12,7 +12,7 @@ export default defineExample({
   chapter: 7,
   tags: ['vortex', 'force', 'particles'],
   about:
-    'Inside its core the whirl throws things outwards, as a carousel does; outside, low pressure draws them in. So they gather at the rim and swing to and fro across it. At the rim the force is k r on both sides, but turns round: a jump that no step of a program can follow exactly.',
+    'A simple model of a whirl, as seen by someone who turns with it. Inside the core the centrifugal force drives things away from the centre; outside, the low pressure of the core draws them in. So they swing to and fro across the rim. At the rim the force is k r on both sides, but turns round: a jump that no step of a program can follow exactly.',
   duration: 30,
   parameters: {
     strength: { label: 'Strength k', unit: '1/s²', initial: 0.25, min: 0.02, max: 2 },

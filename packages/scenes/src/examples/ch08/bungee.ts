@@ -93,14 +93,14 @@ export default defineExample({
     ),
     at(
       3,
-      'Way in the first 3 s, ½ g t²: the slack cord does not push',
+      'Distance in the first 3 s, ½ g t²: the slack cord does not push',
       { exact: 90, unit: 'px', absolute: 1e-9, preset: 'No drag' },
       ({ world, jumper }) => positionOf(world, jumper).y - BRIDGE.y,
     ),
     {
       label: 'Time until the cord is taut, √(2L/g)',
       unit: 's',
-      exact: 3.162,
+      exact: Math.sqrt(10),
       tolerance: { relative: 0.005 },
       at: { event: ({ world, jumper }) => positionOf(world, jumper).y - 150 },
       preset: 'No drag',
@@ -108,7 +108,7 @@ export default defineExample({
     {
       label: 'Speed then, √(2gL)',
       unit: 'px/s',
-      exact: 63.246,
+      exact: 20 * Math.sqrt(10),
       tolerance: { relative: 0.005 },
       at: { event: ({ world, jumper }) => positionOf(world, jumper).y - 150 },
       measure: ({ world, jumper }) => velocityOf(world, jumper).y,

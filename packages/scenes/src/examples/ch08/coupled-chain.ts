@@ -37,7 +37,7 @@ export default defineExample({
   parameters: {
     swing: { label: 'Swing of the support', unit: 'px', initial: 100, min: 0, max: 150 },
     damping: { label: 'Damping c', unit: 'kg/s', initial: 0.5, min: 0, max: 2 },
-    mode: choiceOf('Start', ['aslant', ...MODES.map((mode) => `mode ${mode}`)]),
+    mode: choiceOf('Start', ['slanting', ...MODES.map((mode) => `mode ${mode}`)]),
   },
   presets: [
     { label: 'Support at rest', values: { swing: 0 } },

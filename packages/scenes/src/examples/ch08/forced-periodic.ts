@@ -26,8 +26,8 @@ function steady({ omega, push, damping }: ValuesOf<'omega' | 'push' | 'damping'>
 }
 
 const OMEGAS = [
-  ['At half the own frequency', OWN / 2, 37.429],
-  ['At the own frequency', OWN, 179.306],
+  ['At half the natural frequency', OWN / 2, 37.429],
+  ['At the natural frequency', OWN, 179.306],
   ['At the resonance', 3.14245, 179.447],
 ] as const;
 
@@ -87,7 +87,7 @@ export default defineExample({
   checks: ({ at }) => [
     at(
       60,
-      'Amplitude after 60 s at twice the own frequency',
+      'Amplitude after 60 s at twice the natural frequency',
       { exact: 9.454, unit: 'px', relative: 1e-3 },
       ({ amplitude }) => amplitude(),
     ),

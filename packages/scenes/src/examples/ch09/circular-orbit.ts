@@ -13,11 +13,11 @@ export default defineExample({
   chapter: 9,
   tags: ['gravity', 'orbit', 'circular motion', 'integrators'],
   about:
-    'With the speed √(GM/r), and exactly across, gravity is just what a circle of the radius r needs. Launched at the same speed but aslant, the planet moves on an ellipse, with the same period and the same mean of its nearest and farthest distance.',
+    'With the speed √(GM/r), and exactly across, gravity is just what a circle of the radius r needs. Launched at the same speed but at an angle, the planet moves on an ellipse, with the same period and the same mean of its nearest and farthest distance.',
   duration: 500,
   parameters: {
     radius: { label: 'Distance r at the start', unit: 'px', initial: 250, min: 100, max: 280 },
-    slant: { label: 'Launched aslant by', unit: '°', initial: 0, min: 0, max: 60 },
+    slant: { label: 'Launched at an angle of', unit: '°', initial: 0, min: 0, max: 60 },
     factor: { label: 'Speed, in units of √(GM/r)', unit: '×', initial: 1, min: 0.6, max: 1.2 },
   },
   presets: [
@@ -51,7 +51,7 @@ export default defineExample({
     {
       label: 'Period, 2π √(r³/GM)',
       unit: 's',
-      exact: 24.8365,
+      exact: 2 * Math.PI * Math.sqrt(250 ** 3 / 1e6),
       tolerance: { relative: 1e-4 },
       at: { event: ({ world, planet }) => positionOf(world, planet).x - SUN.x, from: 1, to: 2 },
     },
@@ -87,7 +87,7 @@ export default defineExample({
     {
       label: 'Period on the ellipse: the same',
       unit: 's',
-      exact: 24.8365,
+      exact: 2 * Math.PI * Math.sqrt(250 ** 3 / 1e6),
       tolerance: { relative: 1e-3 },
       at: { event: ({ world, planet }) => positionOf(world, planet).x - SUN.x, from: 1, to: 2 },
       preset: 'Launched at 45°',

@@ -87,7 +87,7 @@ export default defineExample({
   ],
   checks: ({ at }) => [
     {
-      label: 'Way of one turn, 2πR',
+      label: 'Distance in one turn, 2πR',
       unit: 'px',
       exact: ({ factor }) => factor * 2 * Math.PI * RADIUS,
       tolerance: { absolute: 1e-6 },

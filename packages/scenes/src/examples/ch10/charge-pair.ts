@@ -88,7 +88,7 @@ export default defineExample({
     },
   ],
   tryThis: [
-    'Choose “Opposite charges”: the first half of the way takes four fifths of the time.',
+    'Choose “Opposite charges”: the first half of the distance takes four fifths of the time.',
     'Double the charges: everything happens twice as fast.',
   ],
 });

@@ -78,7 +78,7 @@ export default defineExample({
     },
     charge: { label: 'Charge q', unit: 'C', initial: 1, min: -2, max: 2 },
   },
-  presets: FIELDS.slice(1).map(({ name }, i) => ({ label: name, values: { field: i + 1 } })),
+  presets: FIELDS.map(({ name }, i) => ({ label: name, values: { field: i } })),
   build({ field, charge }, { integrator = rungeKutta4 }): Run {
     const { field: strength, way } = FIELDS[field];
     const world = createPhysicsWorld({ capacity: 4, forces: [electricField(strength)], integrator });
@@ -110,7 +110,7 @@ export default defineExample({
       { label: 'along x', value: ({ strength }) => strength().x },
       { label: 'along y', value: ({ strength }) => strength().y },
     ),
-    plot('Way along y', 'y, px', {
+    plot('Displacement along y', 'y, px', {
       label: 'stepped',
       value: ({ world, body }) => positionOf(world, body).y - START.y,
       exact: (t, { field, charge }) => charge * FIELDS[field].way(t).y,

@@ -72,11 +72,11 @@ export default defineExample({
   chapter: 10,
   tags: ['gravity', 'orbit', 'Kepler'],
   about:
-    'Three planets go round a sun that is far heavier than they are. The nearer ones are faster and have a shorter way. For all of them the square of the period grows as the cube of the size of the orbit, as Kepler found in 1619. Their own masses do not matter.',
+    'Three planets go round a sun that is far heavier than they are. The nearer ones are faster and have less far to go. For all of them the square of the period grows as the cube of the size of the orbit, as Kepler found in 1618 and published in 1619. Their own masses do not matter.',
   duration: 60,
   parameters: {
-    factor: { label: 'Speeds, in units of the book’s', unit: '×', initial: 1, min: 0.7, max: 1.25 },
-    masses: { label: 'Masses, in units of the book’s', unit: '×', initial: 1, min: 0.1, max: 1000, scale: 'log' },
+    factor: { label: 'Factor of all speeds', unit: '×', initial: 1, min: 0.7, max: 1.25 },
+    masses: { label: 'Factor of all masses', unit: '×', initial: 1, min: 0.1, max: 1000, scale: 'log' },
   },
   presets: [{ label: 'Slower planets', values: { factor: 0.8 } }],
   build({ factor, masses }, { integrator = rungeKutta4 }): Run {

@@ -11,7 +11,7 @@ const PAIRS = [
     blue: { x: 300, y: 200, vx: 50, vy: 0, mass: 125, radius: 75 },
   },
   {
-    name: 'equal, aslant',
+    name: 'equal, oblique',
     red: { x: 100, y: 220, vx: 100, vy: -30, mass: 1, radius: 20 },
     blue: { x: 300, y: 200, vx: -50, vy: -30, mass: 1, radius: 20 },
   },
@@ -41,7 +41,7 @@ export default defineExample({
     restitution: { label: 'Restitution e', initial: 1, min: 0, max: 1 },
   },
   presets: [
-    { label: 'Equal balls, aslant', values: { pair: 1 } },
+    { label: 'Equal balls, oblique', values: { pair: 1 } },
     { label: 'One at rest', values: { pair: 2 } },
     { label: 'They stay together', values: { restitution: 0 } },
     { label: 'Half elastic', values: { restitution: 0.5 } },
@@ -104,7 +104,7 @@ export default defineExample({
     at(
       2,
       'Common velocity if they stay together',
-      { exact: 51.5873, unit: 'px/s', relative: 1e-6, preset: 'They stay together' },
+      { exact: 6500 / 126, unit: 'px/s', relative: 1e-6, preset: 'They stay together' },
       ({ red, vx }) => vx(red),
     ),
     at(
@@ -124,8 +124,8 @@ export default defineExample({
     ),
     at(
       2,
-      'Energy after the aslant collision',
-      { exact: (10_000 + 900 + 2500 + 900) / 2, unit: 'J', relative: 1e-12, preset: 'Equal balls, aslant' },
+      'Energy after the oblique collision',
+      { exact: (10_000 + 900 + 2500 + 900) / 2, unit: 'J', relative: 1e-12, preset: 'Equal balls, oblique' },
       ({ world }) => energy(world).kinetic,
     ),
   ],

@@ -13,7 +13,7 @@ export default defineExample({
   chapter: 11,
   tags: ['collision', 'wall', 'tunnelling'],
   about:
-    'A thousand small balls are shot at 10 000 px/s: in one step of a sixtieth of a second each flies 167 px, far more than the thickness of any wall. A program that looks only at where the balls are would let them jump through. Here the way of each step is followed to the first wall, and no ball gets below the slope.',
+    'A thousand small balls are shot at 10 000 px/s: in one step of a sixtieth of a second each flies 167 px, far more than the thickness of any wall. A program that looks only at where the balls are would let them jump through. Here the path of each step is followed to the first wall, and no ball gets below the slope.',
   duration: 20,
   parameters: {
     speed: { label: 'Speed', unit: 'px/s', initial: 10_000, min: 100, max: 100_000, scale: 'log' },

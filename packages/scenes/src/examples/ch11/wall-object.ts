@@ -21,7 +21,7 @@ export default defineExample({
   chapter: 11,
   tags: ['wall', 'vectors', 'collision'],
   about:
-    'Two points make a wall. Two unit vectors say the rest: one along it, and one at a right angle to it, the normal. The part of a velocity along the normal turns round at the wall, and the part along the wall stays. That is the whole law of reflection, whatever way the wall stands.',
+    'Two points make a wall. Two unit vectors say the rest: one along it, and one at a right angle to it, the normal. The part of a velocity along the normal turns round at the wall, and the part along the wall stays. That is the whole law of reflection, however the wall stands.',
   duration: 4,
   ends: true,
   parameters: { angle: { label: 'Direction from which it comes', unit: '°', initial: 20, min: -60, max: 60 } },
@@ -46,7 +46,6 @@ export default defineExample({
     return { world, dt: 1 / 60, ball, along: () => part(along), against: () => part(NORMAL) };
   },
   picture: ({ world, ball }) => ({
-    yDown: true,
     view: { minX: 0, maxX: 520, minY: 80, maxY: 440 },
     lines: [{ from: A, to: B, color: COLORS.white, width: 4 }],
     trails: [{ body: ball, length: 400 }],

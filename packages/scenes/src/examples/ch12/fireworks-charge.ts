@@ -15,7 +15,7 @@ export default defineExample({
   chapter: 12,
   tags: ['particles', 'random', 'growth', 'control'],
   about:
-    'Hold the key: for each whole second that you hold it, two sparks more will fly when you let go, and each of them bursts into as many again. So a second more makes far more than two sparks more: 10 in all after one second, 52 after two, about 610 after five.',
+    'Hold the key: for each whole second that you hold it, two sparks more will fly when you let go, and each of these n sparks bursts into n again. Half of those, on average, burst a last time before the show is over: n + n² + n³/2 in all. So a second more makes far more than two sparks more: 10 in all after one second, 52 after two, about 610 after five.',
   duration: 11,
   parameters: {
     held: { label: 'The first is held for', unit: 's', initial: 2.5, min: 0, max: 5.9 },

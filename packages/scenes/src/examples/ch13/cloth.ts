@@ -14,7 +14,7 @@ export default defineExample({
   chapter: 13,
   tags: ['cloth', 'spring', 'wind', 'soft bodies'],
   about:
-    'A hundred and fifty heavy knots and the springs between neighbours make a net, which hangs from three pins. Without cross springs it is soft: between the pins it sags in two bows. A wind pushes every knot by 10 times its speed, and the net hangs aslant.',
+    'A hundred and fifty heavy knots and the springs between neighbours make a net, which hangs from three pins. Without cross springs it is soft: between the pins it sags in two bows. A wind pushes every knot by 10 times its speed, and the net hangs at a slant.',
   duration: 120,
   parameters: {
     wind: { label: 'Wind', unit: 'px/s', initial: 0, min: -15, max: 15 },

@@ -45,11 +45,11 @@ export default defineExample({
   },
   plots: (plot) => [
     plot('Angle', 'angle, rad', { label: 'wheel', value: ({ turned }) => turned() }),
-    plot('Way', 'x, px', { label: 'wheel', value: ({ world, wheel }) => positionOf(world, wheel).x - START }),
+    plot('Distance', 'x, px', { label: 'wheel', value: ({ world, wheel }) => positionOf(world, wheel).x - START }),
   ],
   checks: [
     {
-      label: 'Way of one turn, 2πR',
+      label: 'Distance in one turn, 2πR',
       unit: 'px',
       exact: ({ radius }) => 2 * Math.PI * radius,
       tolerance: { absolute: 1e-6 },
@@ -65,7 +65,7 @@ export default defineExample({
     },
   ],
   tryThis: [
-    'Choose “A small wheel”: it has to turn twice for the same way.',
-    'Double ω: angle and way grow twice as fast.',
+    'Choose “A small wheel”: it has to turn twice for the same distance.',
+    'Double ω: angle and distance grow twice as fast.',
   ],
 });

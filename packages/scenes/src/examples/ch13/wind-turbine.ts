@@ -1,6 +1,5 @@
 import { angularDrag, constantTorque, createPhysicsWorld, exp } from '@principia/physics';
 import { defineExample, type ValuesOf } from '../define-example.ts';
-import { COLORS } from '../picture.ts';
 import { addSwitch } from '../support/force-switch.ts';
 import { addTurbine, turbineLines } from '../support/turbine.ts';
 
@@ -15,7 +14,7 @@ export default defineExample({
   chapter: 13,
   tags: ['rotation', 'torque', 'energy'],
   about:
-    'The wind turns the blades with a steady torque, and the generator brakes them the more, the faster they turn. They approach the angular velocity at which both are equal. Stop the wind with the key: the turbine runs down as slowly as it started.',
+    'The wind blows at the rotor from the front, along its axis, and turns the blades with a steady torque. The faster they turn, the harder the generator brakes them. They approach the angular velocity at which both are equal. Stop the wind with the key: the turbine runs down as slowly as it started.',
   duration: 60,
   parameters: {
     torque: { label: 'Torque of the wind', unit: 'N px', initial: 2, min: 0.5, max: 5 },
@@ -40,16 +39,10 @@ export default defineExample({
       ],
       lines: turbineLines(world, turbine, 150, -60),
       labels: [
-        { at: { x: -40, y: -85 }, text: () => (wind.isOn ? 'wind' : 'calm') },
+        { at: { x: -40, y: -85 }, text: () => (wind.isOn ? 'wind, into the picture' : 'calm') },
         // The generator turns the work of the damping into current, k ω².
         { at: { x: 250, y: -85 }, text: () => `power ${(DRAG * spin() * spin()).toFixed(1)} W` },
       ],
-      arrows: [60, 200, 340].map((y) => ({
-        label: '',
-        from: { x: -50, y },
-        vector: () => ({ x: wind.isOn ? 60 : 0, y: 0 }),
-        color: COLORS.blue,
-      })),
     };
   },
   actions: {

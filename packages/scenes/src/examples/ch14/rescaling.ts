@@ -38,7 +38,7 @@ export default defineExample({
   chapter: 14,
   tags: ['units', 'orbit', 'scale'],
   about:
-    'The distance to the sun is 150 000 000 000 m, and a year has 31 557 600 s. Who counts in astronomical units and years instead gets handy numbers near 1, and the same orbit. One only has to convert everything: lengths, velocities by length over time, and GM by length³ over time². The ring was computed in metres and seconds.',
+    'The distance to the sun is 150 000 000 000 m, and a year has 31 557 600 s. Whoever counts in astronomical units and years instead gets handy numbers near 1, and the same orbit. One only has to convert everything: lengths, velocities by length over time, and GM by length³ over time². The ring was computed in metres and seconds.',
   duration: 2,
   parameters: { speed: { label: 'Speed at the start', unit: 'km/s', initial: 30, min: 22, max: 36 } },
   presets: [{ label: 'A long ellipse', values: { speed: 36 } }],

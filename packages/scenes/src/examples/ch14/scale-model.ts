@@ -54,7 +54,7 @@ export default defineExample({
     ],
   }),
   plots: (plot) => [
-    plot('Way', 'way, px', {
+    plot('Distance fallen', 'distance, px', {
       label: 'stepped',
       value: ({ fallen }) => fallen(),
       exact: (t, values) => Math.min(FALL, (gravityOf(values) / 2) * t * t),
@@ -63,7 +63,7 @@ export default defineExample({
   checks: ({ at }) => [
     at(
       1,
-      'Way in the first second',
+      'Distance in the first second',
       { exact: (values) => Math.min(FALL, gravityOf(values) / 2), unit: 'px', absolute: 1e-9 },
       ({ fallen }) => fallen(),
     ),

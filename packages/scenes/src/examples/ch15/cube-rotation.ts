@@ -16,7 +16,7 @@ export default defineExample({
   chapter: 15,
   tags: ['3D', 'rotation', 'torque'],
   about:
-    'For ten seconds a torque turns the cube about the horizontal axis, while the air brakes it the more the faster it turns. It comes to an angular velocity of τ/k, just as a falling stone comes to its terminal velocity. Then the torque is off, and the cube slows down. Hold T or press the picture to turn it again.',
+    'For ten seconds a torque turns the cube about the horizontal axis, while the air brakes it harder the faster it turns. It comes to an angular velocity of τ/k, just as a falling stone comes to its terminal velocity. Then the torque is off, and the cube slows down. Hold T or press the picture to turn it again.',
   dimensions: 3,
   duration: 20,
   parameters: {

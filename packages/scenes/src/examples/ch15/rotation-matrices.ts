@@ -25,7 +25,7 @@ export default defineExample({
   chapter: 15,
   tags: ['3D', 'rotation', 'matrices'],
   about:
-    'Both cubes make the same two turns by 90°, the left one first about the x axis and then about the y axis, the right one the other way round. In the end their orange, green and violet axes point in different directions: rotations in space must not be exchanged. Try it with a book!',
+    'Both cubes make the same two turns by 90°, the left one first about the x axis and then about the y axis, the right one the other way round. In the end their orange, green and violet axes point in different directions: rotations in space do not commute: their order matters. Try it with a book!',
   dimensions: 3,
   duration: 8,
   parameters: {
@@ -82,6 +82,6 @@ export default defineExample({
   ],
   tryThis: [
     'Take small turns of 5°: the two orders hardly differ, and less and less the smaller the turns are.',
-    'Make one of the turns 0°: nothing is left to be exchanged, and both cubes agree.',
+    'Make one of the turns 0°: the order no longer matters, and both cubes agree.',
   ],
 });

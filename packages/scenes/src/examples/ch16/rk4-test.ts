@@ -12,6 +12,7 @@ export default defineExample({
     'Before planets are entrusted to a scheme, it is tried where the answer is known: a ball falls from rest, s = g t²/2. Runge-Kutta 4 follows polynomials up to the fourth degree without any error, so twenty steps of a twentieth of a second give 5 m to the last digit; Euler’s steps give 4.75 m.',
   dimensions: 3,
   duration: 2,
+  ends: true,
   parameters: { gravity: { label: 'Gravity', unit: 'm/s²', initial: 10, min: 1, max: 30 } },
   build({ gravity }: ValuesOf<'gravity'>, { integrator = rungeKutta4 }: BuildOptions) {
     const world = createPhysicsWorld({
@@ -23,8 +24,9 @@ export default defineExample({
     const ball = spawn(world, { position: {}, velocity: {}, mass: 1, collider: 0.3 });
     return { world, dt: 0.05, fallen: () => -positionOf(world, ball).y, ball };
   },
-  picture: ({ ball }) => ({
-    view: { minX: -4, maxX: 4, minY: -21, maxY: 1, minZ: -4, maxZ: 4 },
+  // As deep as the ball falls in 2 s.
+  picture: ({ ball }, { gravity }) => ({
+    view: { minX: -4, maxX: 4, minY: -2 * gravity - 1, maxY: 1, minZ: -4, maxZ: 4 },
     camera: { eye: point(12, 2, 30), target: point(0, -9, 0) },
     trails: [{ body: ball, length: 60 }],
   }),

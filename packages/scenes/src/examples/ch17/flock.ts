@@ -139,7 +139,7 @@ export default defineExample({
     alignment: { label: 'Flying alike, per neighbour', unit: '1/s', initial: 0.3, min: 0, max: 1 },
     cohesion: { label: 'Staying together, per neighbour', unit: '1/s²', initial: 0.12, min: 0, max: 2 },
     separation: { label: 'Keeping distance', unit: 'm/s²', initial: 20, min: 0, max: 40 },
-    will: { label: 'Own will', unit: '1/s', initial: 1.5, min: 0, max: 5 },
+    will: { label: 'Urge to keep the cruising speed', unit: '1/s', initial: 1.5, min: 0, max: 5 },
   },
   presets: [
     { label: 'Blind', values: { alignment: 0, cohesion: 0 } },
@@ -231,7 +231,7 @@ export default defineExample({
   ],
   tryThis: [
     'Choose “Blind”: they keep their distance, and nothing else. There is no flock.',
-    'Take away the own will: what they agree on is slower and slower, because each turn costs speed.',
+    'Set the urge to keep the cruising speed to 0: what they agree on is slower and slower, because each turn costs speed.',
     'Drag the hawk slowly, then quickly: which divides the flock?',
   ],
 });

@@ -116,7 +116,7 @@ export default defineExample({
     // Three errors of the variance of a distribution that is nearly normal.
     at(
       100,
-      'Variance of the bins, rows/4 where a ball forgets its way at each peg',
+      'Variance of the bins, rows/4 where a ball forgets its path at each peg',
       { exact: ROWS / 4, unit: 'm²', relative: 3 * Math.sqrt(2 / COUNT) },
       ({ world, balls }) => meanOf(landed(world, balls).map((x) => Math.round(x) * Math.round(x))),
     ),

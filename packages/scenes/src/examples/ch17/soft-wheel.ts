@@ -101,18 +101,18 @@ export default defineExample({
   ],
   checks: ({ at }) => [
     // The skin is a polygon of 64 corners and damped: a per cent of the energy stays on the way.
-    at(TIME, 'Way down in 4 s, g sin θ t²/4', { exact: rolled(10), unit: 'm', relative: 0.015 }, ({ distance }) =>
+    at(TIME, 'Distance down in 4 s, g sin θ t²/4', { exact: rolled(10), unit: 'm', relative: 0.015 }, ({ distance }) =>
       distance(),
     ),
     at(
       TIME,
-      'Way down in 4 s on ice, g (sin θ − μ cos θ) t²/2',
+      'Distance down in 4 s on ice, g (sin θ − μ cos θ) t²/2',
       { exact: slid(10, 0.05), unit: 'm', relative: 5e-3, preset: 'On ice' },
       ({ distance }) => distance(),
     ),
     at(
       TIME,
-      'Way down in 4 s of a wheel that is nearly flat',
+      'Distance down in 4 s of a wheel that is nearly flat',
       { exact: rolled(10), unit: 'm', relative: 0.015, preset: 'Nearly flat' },
       ({ distance }) => distance(),
     ),

@@ -105,7 +105,7 @@ export function subPicture({ world, sub, state }: SubmarineRun): Picture {
     ],
     arrows: [{ label: 'v', from: at(0, 0), vector: () => velocityOf(world, sub), scale: 1.5, color: COLORS.green }],
     labels: [
-      { at: at(96, -8), text: () => `density ${massOf(state.fill).toFixed(2)}` },
+      { at: at(96, -8), text: () => `density ${massOf(state.fill).toFixed(2)} × that of water` },
       { at: at(96, 12), text: () => `tank ${(100 * state.fill).toFixed(0)} %` },
     ],
     trails: [{ body: sub, length: 400, interval: 4 }],
