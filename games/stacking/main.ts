@@ -1,4 +1,5 @@
 /** A sandbox of rigid bodies, drawn by pixi.js. */
+import { bodies } from '@principia/physics';
 import { dragByJoints, helpLines, startGame } from '@principia/shell';
 import { applyColors } from './colors.ts';
 import { readScene } from './scene-link.ts';
@@ -30,6 +31,8 @@ await startGame({
   // A scene from a link has the colours that it was saved with.
   applyColors: (sim, { seed, safeColors }) => scene === undefined && applyColors(sim, seed, safeColors),
   report,
+  // The ground is none of those that the setting counts.
+  bodies: ({ world }) => bodies(world).count - 1,
   drag: dragByJoints,
   renderers: {
     pixi: {

@@ -35,6 +35,15 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
   const narrow = matchMedia(NARROW);
   let shown = !isPreview && (isSheet || !narrow.matches);
   sidebar.hidden = !shown;
+  const toggleSidebar = (wanted = !shown) => {
+    shown = wanted;
+    sidebar.hidden = !shown;
+    onSidebar();
+  };
+  // A window that becomes narrow shows the game, which the sidebar would cover.
+  narrow.addEventListener('change', ({ matches }) => {
+    if (matches && shown && !isSheet) toggleSidebar(false);
+  });
   return {
     root,
     stage,
@@ -48,11 +57,7 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
       covered.bottom = Math.max(shown && isBelow ? sidebar.offsetHeight : 0, coveredBottom(root));
       return covered;
     },
-    toggleSidebar(wanted = !shown) {
-      shown = wanted;
-      sidebar.hidden = !shown;
-      onSidebar();
-    },
+    toggleSidebar,
   };
 }
 

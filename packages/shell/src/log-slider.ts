@@ -45,7 +45,7 @@ export function addLogSlider<Name extends string>(
     (event) => {
       event.stopPropagation();
       const typed = Number.parseFloat(input.value);
-      if (typed >= min && typed <= max) set(typed);
+      if (Number.isFinite(typed)) set(typed);
     },
     true,
   );

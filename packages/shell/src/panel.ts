@@ -36,15 +36,16 @@ export function createPanel(
     if (setting.lang !== undefined) controller.domElement.lang = setting.lang;
     if (setting.about !== undefined) controller.domElement.title = setting.about;
     if (setting.kind !== 'number' || setting.presets === undefined) return [controller];
-    return [
-      controller,
-      addPresets(
-        gui,
-        setting.presets,
-        () => values[name] as number,
-        (value) => onChange(name, value),
-      ),
-    ];
+    const named = addPresets(
+      gui,
+      setting.presets,
+      () => values[name] as number,
+      (value) => onChange(name, value),
+    );
+    // The slider and the list of its named values follow each other.
+    controller.onChange(() => named.updateDisplay());
+    named.onChange(() => controller.updateDisplay());
+    return [controller, named];
   });
   const refresh = () => {
     for (const controller of controllers) controller.updateDisplay();

@@ -12,10 +12,10 @@ const milliseconds = (value: number) => `${decimal(value, value < 9.95 ? (value 
 
 export function createStats(parent: HTMLElement): Stats {
   const list = element('dl', 'game-stats');
-  const cells = words().stats.map((label) => {
-    const cell = element('dd', '', {}, '–');
-    list.append(element('dt', '', {}, label), cell);
-    return cell;
+  const rows = words().stats.map((label) => {
+    const row = [element('dt', '', {}, label), element('dd', '', {}, '–')] as const;
+    list.append(...row);
+    return row;
   });
   parent.append(element('section', 'game-card', { 'aria-label': words().statistics }, list));
   return {
@@ -23,8 +23,14 @@ export function createStats(parent: HTMLElement): Stats {
       // Texts are not made while the table is hidden.
       if (list.offsetParent === null) return;
       const texts = [milliseconds(frame), grouped(bodies), milliseconds(step)];
-      texts.push(contacts === undefined ? '–' : grouped(contacts), milliseconds(draw), `${decimal(time, 1)} s`);
-      for (const [i, text] of texts.entries()) if (cells[i].textContent !== text) cells[i].textContent = text;
+      texts.push(contacts === undefined ? '' : grouped(contacts), milliseconds(draw), `${decimal(time, 1)} s`);
+      for (const [i, text] of texts.entries()) {
+        const [name, cell] = rows[i];
+        if (cell.textContent === text) continue;
+        cell.textContent = text;
+        // What a world does not count has no place.
+        name.hidden = cell.hidden = text === '';
+      }
     },
   };
 }
