@@ -34,7 +34,7 @@ export function showStartPage(parent: HTMLElement, search: string, unknown: stri
   const show = () => {
     const found = EXAMPLES.filter((entry) => matches(entry, field.value));
     for (const button of tags.children) button.setAttribute('aria-pressed', String(button.textContent === field.value));
-    count.textContent = words.count(found.length);
+    count.textContent = found.length === 0 ? words.nothing : words.count(found.length);
     list.replaceChildren(...(field.value === '' ? [striking(pictures)] : []), ...chapters(found, pictures));
     const query = field.value === '' ? location.pathname : `?search=${encodeURIComponent(field.value)}`;
     history.replaceState(null, '', withLanguage(query));

@@ -6,6 +6,7 @@ body { color: #eef1fb; font: 15px/1.5 system-ui, -apple-system, "Segoe UI", Robo
 .start a { color: inherit; text-decoration: none } .start-home { color: #ffc15e !important; font-weight: 600; font-size: 13px }
 .start input { width: 100%; box-sizing: border-box; font: inherit; font-size: 16px; padding: 11px 14px; border-radius: 12px;
   border: 1px solid #ffffff2c; background: #141b36; color: inherit }
+.start input::placeholder { color: #b9c2e0; opacity: 1 }
 .start-tags { display: flex; flex-wrap: wrap; gap: 6px; margin: 12px 0 }
 .start-tags button { font: inherit; font-size: 13px; padding: 5px 12px; min-height: 32px; border-radius: 16px; cursor: pointer;
   border: 1px solid #ffffff24; background: #ffffff0f; color: inherit }

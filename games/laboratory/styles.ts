@@ -44,7 +44,7 @@ const styles = `
 .lab-plot[data-folded] :is(h2 > :not(.lab-fold), .uplot) { display: none }
 .lab-save[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 .lab-said { margin: -4px 0 8px; font-size: 12px; color: var(--dim) } .lab-said:empty { display: none } .lab-readout { font-weight: 500; font-variant-numeric: tabular-nums; color: var(--ink) }
-.lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px;
+.lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 12px;
   padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
 @media (pointer: coarse) { .lab-presets kbd { display: none } .lab-presets :is(a, button) { min-height: 44px; min-width: 44px; box-sizing: border-box; line-height: 26px }
   .lab-neighbours a { line-height: 44px; min-width: 44px } :is(.lab-save, .lab-fold) { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }

@@ -277,7 +277,7 @@ describe('the page of an example', () => {
     await page.waitForFunction(() => document.querySelector('.lab-checks li[data-state=waiting]') === null);
     expect(await count('passed')).toBe(total);
     expect(await page.textContent('.lab-checks')).toMatch(/computed 25\.54\d*, exact 25\.5449 s, error/);
-    expect(await page.textContent('.lab-words')).toContain(`${total} of ${total} figures proven`);
+    expect(await page.textContent('.lab-words')).toContain(`${total} of ${total} figures confirmed`);
     await page.evaluate(() => __game.reset());
     await page.waitForFunction(
       (all) => document.querySelectorAll('.lab-checks li[data-state=waiting]').length === all,

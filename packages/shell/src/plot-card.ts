@@ -1,4 +1,4 @@
-import type { PhysicsWorld } from '@principia/physics';
+import { bodies, type PhysicsWorld } from '@principia/physics';
 import uPlot from 'uplot';
 import { csvOf, saveText } from './csv.ts';
 import { NO_PLOT, readPlotChoice, writePlotChoice } from './plot-choice.ts';
@@ -32,6 +32,8 @@ export class PlotCard {
   #isStale = false;
   /** What the plot was made for. */
   #shown = '';
+  /** No plot is shown before there is a body, unless the reader asks for one. */
+  #isWaiting = false;
   /** Time of the recorded moment that is shown, s; not a number while none is. */
   #mark = Number.NaN;
 
@@ -45,6 +47,9 @@ export class PlotCard {
       (kind) => this.#choosePath(kind),
       () => saveText('plot.csv', this.#csv(), 'text/csv'),
     );
+    const first = world();
+    this.#isWaiting = first !== undefined && bodies(first).count === 0;
+    if (this.#isWaiting) this.#controls.card.hidden = true;
     this.#show();
   }
 
@@ -67,6 +72,7 @@ export class PlotCard {
     if (!Object.is(mark, this.#mark)) this.#isStale = true;
     this.#mark = mark;
     if (isPast) return;
+    if (this.#isWaiting && bodies(world).count > 0) this.#reveal();
     if (this.#history.discardAfter(world.time)) this.#isStale = true;
     if (this.#controls.card.hidden || !this.#history.isDue(world.time)) return;
     this.#source.read(world, this.#values);
@@ -76,6 +82,12 @@ export class PlotCard {
     }
     this.#history.add(world.time, this.#values);
     this.#isStale = true;
+  }
+
+  #reveal(): void {
+    this.#isWaiting = false;
+    this.#controls.card.hidden = false;
+    this.#show();
   }
 
   /** Draws the recorded samples. */
@@ -94,7 +106,7 @@ export class PlotCard {
   /** What is shown, as the address names it. */
   get choice(): string {
     const { card, choice } = this.#controls;
-    return card.hidden ? NO_PLOT : writePlotChoice(choice);
+    return card.hidden && !this.#isWaiting ? NO_PLOT : writePlotChoice(choice);
   }
 
   /** Shows what the address names. @returns a sentence if it names no plot, which then stays as it is */
@@ -102,6 +114,7 @@ export class PlotCard {
     const isHidden = text === NO_PLOT;
     const choice = isHidden ? this.#controls.choice : readPlotChoice(text, this.#world()?.dimensions ?? 2);
     if (choice === undefined) return words().address.plot(text);
+    this.#isWaiting = false;
     this.#controls.card.hidden = isHidden;
     this.#controls.choice = choice;
     this.#show();
@@ -110,6 +123,7 @@ export class PlotCard {
 
   /** Shows the next plot; hides the card after the last one. */
   next(): void {
+    this.#isWaiting = false;
     this.#controls.next();
     this.#show();
   }

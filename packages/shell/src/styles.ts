@@ -33,17 +33,19 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   --font-family: inherit; --width: 264px; --widget-height: 24px; --row-height: 30px; --name-width: 38%; --padding: 10px;
   --slider-knob-width: 3px; --widget-border-radius: 6px; --slider-input-width: 36% }
 .game-side .lil-disabled .lil-fill { display: none }
+/* A long name takes a second line, so that the slider keeps its length. */
+.game-side .lil-number > .lil-name { box-sizing: border-box; max-width: 46%; white-space: normal; overflow-wrap: anywhere; line-height: 1.25 }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
 .game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
 .game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; flex-wrap: wrap; gap: 0 10px }
-.game-card h2 small { font-size: 11px } .game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
+.game-card h2 small { font-size: 12px } .game-card h2 i { font-style: normal } .game-card h2 i::before { content: ""; display: inline-block; width: 8px; height: 8px;
   border-radius: 50%; margin-right: 4px; background: var(--mark) }
 .game-card select, .game-card input { border: 0; border-radius: 6px; background: #ffffff14; color: var(--ink); font: inherit;
   font-size: 12px; line-height: 18px; padding: 1px 4px; max-width: 100% } .game-card option { background: #1a2349 }
 .game-card input { width: 52px } .game-card h2 select { color: var(--dim); font-weight: 600; margin-left: -4px }
 .game-plot-column { display: flex; gap: 8px; align-items: center; font-size: 12px; color: var(--dim); white-space: nowrap } .game-plot-column select { min-width: 0 }
 .game-plot-buttons { display: flex; flex-wrap: wrap; gap: 6px; margin: 4px 0 } .game-plot-buttons button { border: 1px solid var(--line); border-radius: 7px;
-  background: #ffffff10; color: var(--dim); font: inherit; font-size: 11px; padding: 1px 7px; cursor: pointer }
+  background: #ffffff10; color: var(--dim); font: inherit; font-size: 12px; padding: 1px 7px; cursor: pointer }
 .game-plot-buttons button:focus-visible { outline: 2px solid var(--accent) }
 .game-profile { display: grid; grid-template-columns: max-content 1fr max-content; gap: 1px 8px; margin: 0; font-size: 12px;
   align-items: center; font-variant-numeric: tabular-nums } .game-profile dt { color: var(--dim) } .game-profile dd { margin: 0 }
@@ -136,7 +138,8 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-timeline { position: absolute; left: 0; right: 0; bottom: 0; height: calc(44px + env(safe-area-inset-bottom)); display: flex; align-items: center; gap: 10px;
   box-sizing: border-box; padding: 0 16px env(safe-area-inset-bottom) max(20px, env(safe-area-inset-left)) }
 .game-timeline input { flex: 1; min-width: 0; height: 44px; margin: 0; appearance: none; background: none; cursor: pointer; touch-action: none; outline: none; border-radius: 8px }
-.game-timeline output { min-width: 56px; text-align: right; font-size: 12.5px; color: var(--dim); font-variant-numeric: tabular-nums; white-space: nowrap }
+.game-timeline output { min-width: 56px; text-align: right; font-size: 12.5px; font-variant-numeric: tabular-nums; white-space: nowrap;
+  padding: 0 6px; border-radius: 6px; background: #0d1226cc }
 .game-timeline ::-webkit-slider-runnable-track { height: 6px; border-radius: 3px; background: linear-gradient(90deg, var(--accent), var(--accent)) 0 0 / calc(100% * var(--done, 1)) 100% no-repeat #ffffff2c }
 .game-timeline ::-moz-range-track { height: 6px; border-radius: 3px; background: #ffffff2c } .game-timeline ::-moz-range-progress { height: 6px; border-radius: 3px; background: var(--accent) }
 .game-timeline ::-webkit-slider-thumb { appearance: none; width: 18px; height: 18px; margin-top: -6px; border-radius: 50%; background: var(--ink); box-shadow: 0 1px 6px #000a }
