@@ -161,6 +161,8 @@ function drawHeading(context: Context, heading: number): void {
   for (let mark = 15 * Math.ceil((degrees - 45) / 15); mark <= degrees + 45; mark += 15) {
     const at = x + width / 2 + (mark - degrees) * 1.6;
     const around = (mark + 360) % 360;
+    // A letter fades before the edge would cut it.
+    context.globalAlpha = Math.max(0, Math.min(1, (37 - Math.abs(mark - degrees)) / 7));
     label(context, around % 45 === 0 ? WORDS.compass[around / 45] : '·', at, y + 13);
   }
   context.restore();

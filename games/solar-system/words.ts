@@ -78,7 +78,7 @@ const en = {
     opposition: (body: string, distance: string) => `${body} in opposition, ${distance}`,
     meeting: (body: string, other: string, angle: string) => `${body} near ${other}, ${angle}`,
   },
-  errorsOn: (day: string) => `on ${day}, in km and by distance from the Sun (Moon: Earth); – where none is stored`,
+  errorsOn: (day: string) => `on ${day}, also by distance from the Sun (Moon: Earth); – where none is stored`,
   noReference:
     'JPL’s positions are stored for 2012, and for dates of 2000, 2001, 2010 and 2050: let time pass one of them.',
   welcome: 'Tap a planet to follow it, slide time faster – or fly a mission:',
@@ -226,7 +226,7 @@ const de: Words = {
     opposition: (body, distance) => `${body} in Opposition, ${distance}`,
     meeting: (body, other, angle) => `${body} bei ${other}, ${angle}`,
   },
-  errorsOn: (day) => `am ${day}, in km und je Abstand von der Sonne (Mond: Erde); – wo keine gespeichert ist`,
+  errorsOn: (day) => `am ${day}, auch je Abstand von der Sonne (Mond: Erde); – wo keine gespeichert ist`,
   noReference:
     'Positionen des JPL sind für 2012 gespeichert und für Tage in 2000, 2001, 2010 und 2050: Lass die Zeit über einen davon laufen.',
   welcome: 'Tippe auf einen Planeten, um ihm zu folgen, lass die Zeit schneller laufen – oder flieg eine Mission:',
