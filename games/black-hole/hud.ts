@@ -36,6 +36,7 @@ const STYLE = `
 .bh-toast.on { opacity: 1; animation: bh-rise 1.7s ease-out both }
 @keyframes bh-rise { 0% { opacity: 0; transform: translateY(12px) } 12%, 60% { opacity: 1; transform: none } 100% { opacity: 0; transform: translateY(-10px) } }
 @media (pointer: coarse) and (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 14px); bottom: 76px; white-space: nowrap } .bh-daily { bottom: 128px } }
+@media (pointer: fine) and (max-height: 480px) and (min-aspect-ratio: 17/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 8px); bottom: 12px; padding: 6px 8px; font-size: 12px; white-space: nowrap } .bh-daily { bottom: 50px } }
 @media (max-width: 800px) { .bh-speed { display: none } }
 @media (max-height: 480px) { .bh-hud:not(.outside) { font-size: 13px } .bh-hud:not(.outside) > :is(.bh-lives, .bh-score, .bh-level) { top: 2px } .bh-score { font-size: 14px } .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 /* Beside a field that is too low for them. */

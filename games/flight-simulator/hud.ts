@@ -25,6 +25,9 @@ const STYLES = `
 /* Above the horizon, where the rings are, and the task below. */
 @media (pointer: coarse) { .fs-task { top: 216px; font-size: 15px; line-height: 1.4 } .fs-instruments { bottom: auto; top: 62px; scale: 0.82; transform-origin: 50% 0 } }
 @media (pointer: coarse) and (max-height: 500px) { .fs-instruments { top: auto; bottom: 4px; left: max(6px, env(safe-area-inset-left)); translate: 0 0; scale: 0.72; transform-origin: 0 100% } .fs-task { top: 58px; font-size: 14px } }
+/* A page that is enlarged has little height: the aeroplane stays in sight. */
+@media (pointer: fine) and (max-height: 420px) { .fs-instruments { left: 6px; bottom: 6px; translate: none; scale: 0.62; transform-origin: 0 100% }
+  .fs-task { top: 60px; padding: 3px 12px; font-size: 13px } }
 @media (max-width: 1100px) { .game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 144px); translate: -50% 0; bottom: 192px } }
 @media (max-width: 759px), (pointer: coarse) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments, .fs-rudder) { visibility: hidden } }
 `;

@@ -25,6 +25,9 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
   .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px }
   /* What a tool does is said below the tools: the next one may be wanted at once. */
   .game .game-banner:not([data-kind=error]) { top: 130px } }
+/* A page that is enlarged: at the right, where no tower stands. */
+@media (pointer: fine) and (max-width: 799px) and (max-height: 420px) { .st-tools { left: auto; right: 8px; translate: none; flex-direction: column; gap: 2px } .st-tools button { height: 38px }
+  .game-hint { top: auto; bottom: 4px; font-size: 13px } .game .game-banner:not([data-kind=error]) { top: 66px } }
 /* Beside the bar, so that the build has the height to itself. */
 @media (min-width: 800px) and (max-height: 479px) { .st-tools { top: 8px; left: auto; right: 8px; translate: none } .game-hint { top: auto; bottom: 10px }
   .game .game-banner:not([data-kind=error]) { top: 72px } }`;

@@ -19,6 +19,9 @@ const STYLE = `
 @media (pointer: coarse) { .sub-panel { left: 104px } .sub-say { max-width: 38vw } }
 /* Low, so that it leaves the bed in sight. */
 @media (max-height: 479px) { .sub-gauges { grid-template-columns: auto 72px auto 72px } }
+/* A page that is enlarged has little height: one line each for the goal, a word, and all gauges. */
+@media (pointer: fine) and (max-height: 420px) { .sub-panel { left: 8px; right: 8px; bottom: 6px; padding: 2px 10px 4px; display: flex; flex-wrap: wrap; justify-content: space-between; gap: 0 14px }
+  .sub-goal { font-size: 13.5px } .sub-depth { order: 1; font-size: 12px } .sub-say { max-width: none; font-size: 12px } .sub-say, .sub-gauges { order: 2; flex-basis: 100% } .sub-gauges { grid-template-columns: repeat(4, auto 44px); gap: 0 8px } }
 /* A card says how it ended, and the settings cover what lies below them. */
 @media (max-width: 759px), (max-height: 479px) { .sub-hud.over .sub-panel { visibility: hidden } }
 @media (max-width: 759px) { .game:has(.game-side:not([hidden])) .sub-panel { visibility: hidden } }

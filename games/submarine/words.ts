@@ -38,7 +38,7 @@ const en = {
   lowAir: 'Little compressed air is left: come up for more',
   lowBreath: 'The air to breathe runs out',
   depth: (depth: number, pressure: number) => `${decimal(Math.max(0, depth), 0)} m, ${decimal(pressure, 1)} atm`,
-  density: (ratio: number) => `density ${decimal(ratio, 3)}`,
+  density: (ratio: number) => `density ${decimal(ratio, 3)} × water’s`,
   speed: (speed: number) => `${decimal(speed, 1)} m/s`,
   gauges: { tank: 'tank', hull: 'hull', air: 'compressed air', breath: 'air to breathe' },
   endings: {
@@ -85,7 +85,7 @@ const de: Words = {
   lowAir: 'Kaum noch Druckluft: Tauche auf und hol neue',
   lowBreath: 'Die Atemluft geht zu Ende',
   depth: (depth, pressure) => `${decimal(Math.max(0, depth), 0)} m, ${decimal(pressure, 1)} atm`,
-  density: (ratio) => `Dichte ${decimal(ratio, 3)}`,
+  density: (ratio) => `Dichte ${decimal(ratio, 3)} × Wasser`,
   speed: (speed) => `${decimal(speed, 1)} m/s`,
   gauges: { tank: 'Wasser', hull: 'Rumpf', air: 'Druckluft', breath: 'Atemluft' },
   endings: {

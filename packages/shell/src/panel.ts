@@ -31,7 +31,7 @@ export function createPanel(
       enumerable: true,
     });
     const controller = addController(gui, proxy, name, setting);
-    const unit = setting.kind === 'number' && setting.unit !== '' ? `, ${setting.unit}` : '';
+    const unit = setting.kind === 'number' && setting.unit !== '' ? `, ${setting.unit.replaceAll(' ', '\u00a0')}` : '';
     controller.name(`${setting.label}${unit}`);
     if (setting.lang !== undefined) controller.domElement.lang = setting.lang;
     if (setting.about !== undefined) controller.domElement.title = setting.about;

@@ -169,6 +169,11 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
 @media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
+/* A page that is enlarged: beside the picture, which a sheet below would leave no height. */
+@media (pointer: fine) and (min-width: 560px) and (max-width: 759px) and (max-height: 420px) {
+  .game-sheet .game-side { top: 8px; right: 8px; bottom: auto; left: auto; width: 264px; max-height: calc(100% - 16px); border-radius: 14px }
+  .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 272px } .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 0; left: 0 }
+  .game-sheet .game-pad { right: 284px; bottom: calc(12px + var(--foot, 0px)) } }
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: fit-content(150px) 1fr fit-content(150px) 1fr } }
 @media (max-height: 479px) { .game-help { max-height: calc(100dvh - 16px); padding: 12px 26px; line-height: 1.4 } .game-help h2 { margin-bottom: 6px } .game-help footer { bottom: -12px; margin-bottom: -12px; padding-block: 6px 8px } }
 @media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
