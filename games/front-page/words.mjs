@@ -5,7 +5,7 @@
 
 const en = {
   title: 'Principia games',
-  lead: 'Real physics to play with, in SI units or pixels: nearly every world can be stopped, slowed, run backwards and measured.',
+  lead: 'Real physics to play with: nearly every world can be stopped, slowed, run backwards and measured.',
   search: 'Search the games',
   surprise: 'Surprise me',
   game: 'Games',
@@ -25,7 +25,7 @@ const en = {
 /** @type {typeof en} */
 const de = {
   title: 'Principia-Spiele',
-  lead: 'Echte Physik zum Spielen, in SI-Einheiten oder Pixeln: Fast jede Welt lässt sich anhalten, verlangsamen, zurückspulen und vermessen.',
+  lead: 'Echte Physik zum Spielen: Fast jede Welt lässt sich anhalten, verlangsamen, zurückspulen und vermessen.',
   search: 'Spiele suchen',
   surprise: 'Überrasch mich',
   game: 'Spiele',

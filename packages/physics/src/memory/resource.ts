@@ -15,7 +15,7 @@ export class ResourceKey {
     readonly name: string = '',
     readonly create?: (world: PhysicsWorld) => unknown,
   ) {
-    if (name !== '') keysByName.set(name, keysByName.has(name) ? undefined : this);
+    if (name) keysByName.set(name, keysByName.has(name) ? undefined : this);
   }
 }
 
@@ -64,6 +64,9 @@ export function resource<T>(
   const key = new ResourceKey(excludeFromSnapshot, checkText(options.name ?? '', 'resource.name'), create);
   return (world) => stateAt(world, key, create);
 }
+
+/** The name of resources that follow from options, and that another world computes by itself. */
+export const COMPUTED_ANEW = 'computed anew';
 
 /** A resource of this package. */
 export function namedResource<T>(name: string, create: (world: PhysicsWorld) => T): (world: PhysicsWorld) => T {

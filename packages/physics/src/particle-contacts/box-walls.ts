@@ -5,9 +5,9 @@ import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step.ts';
 import { FAR } from '../dynamics/loop-checks.ts';
 import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
-import { forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import { BOX_BYTES, BoxNumber, BoxWord } from '../memory/layouts.gen.ts';
-import { recordAt } from '../memory/record.ts';
+import { allocateRecord } from '../memory/record.ts';
+import { COMPUTED_ANEW, namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** A box that keeps bodies inside. An axis omitted from `min` or `max` has no wall on that side. */
@@ -41,7 +41,7 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
   const friction =
     options.friction === undefined ? -1 : checkNumber(options.friction, 'boxWalls.friction', { min: 0, max: 100 });
   const values = [low.x, low.y, low.z, high.x, high.y, high.z, restitution, friction];
-  const { of: boxAt } = forceMemory((world, take) => writeBox(world, take, values));
+  const boxAt = namedResource(COMPUTED_ANEW, (world) => writeBox(world, values));
   const lagOf = ({ integrator }: PhysicsWorld, dt: number) => (integrator.velocityLag ?? 0) * dt;
   const system: BoxSystem = {
     name: 'box walls',
@@ -65,10 +65,10 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
   return system;
 }
 
-function writeBox(world: PhysicsWorld, take: TakeBytes, values: readonly number[]): number {
-  const { memory, scratch, dimensions, previousAddresses } = world;
+function writeBox(world: PhysicsWorld, values: readonly number[]): number {
+  const { internal, scratch, dimensions, previousAddresses } = world;
   const origin = previousAddresses.Position;
-  const { at, numbers, words } = recordAt(memory, take(BOX_BYTES, 'box walls'), BOX_BYTES);
+  const { at, numbers, words } = allocateRecord(internal.arena, BOX_BYTES, 'box walls');
   const { x, y, z } = scratch.at.startVelocity;
   numbers.set(values, BoxNumber.lowX);
   words.set([x, y, z], BoxWord.startX);

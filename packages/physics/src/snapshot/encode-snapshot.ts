@@ -3,7 +3,7 @@ import { isShape } from '../collision/shapes/2d/shape.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { type Block, blocksOf } from '../memory/force-memory.ts';
 import { KERNEL_SOURCES } from '../memory/layouts.gen.ts';
-import { isImmutable, type ResourceKey } from '../memory/resource.ts';
+import { COMPUTED_ANEW, isImmutable, type ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { addPlainObjects, type Content, type Scalars, type Snapshot } from './content.ts';
@@ -75,13 +75,13 @@ export function encodeSnapshot(snapshot: Snapshot): Uint8Array {
   return bytes.finish(encoded);
 }
 
-/** The state of forces follows from their options: other worlds compute it again. */
+/** The state of forces and boxes follows from their options: other worlds compute it again. */
 function encodeResources({ parts: { keys, states } }: Content, encoder: ValueEncoder): EncodedSnapshot['resources'] {
   const counts = new Map<string, number>();
   const resources: EncodedSnapshot['resources'][number][] = [];
   keys.forEach((key, i) => {
-    if (blocksOf(key, states[i]) !== undefined) return;
     const { name } = key as ResourceKey;
+    if (name === COMPUTED_ANEW || blocksOf(key, states[i]) !== undefined) return;
     if (name === '') throw withoutName(states[i]);
     const number = counts.get(name) ?? 0;
     counts.set(name, number + 1);
