@@ -27,6 +27,8 @@ export class JointedBody {
   vx: f64;
   vy: f64;
   w: f64;
+  // The same as `stiffness` by rods and ropes of trees in this sub-step (brace-rods.ts).
+  rodStiffness: f64;
 }
 
 export const JOINTED_BODY_SIZE: usize = offsetof<JointedBody>();

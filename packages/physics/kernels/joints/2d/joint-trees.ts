@@ -3,7 +3,7 @@
 // that closes a loop is left out and solved by itself, after the others.
 import { putWord, word } from '../../solver/2d/body';
 import { JointTable } from './joint-table';
-import { LOCKS } from './list-active';
+import { LOCKS, ROPE } from './list-active';
 
 // What t.parents holds of a joint: which body is its parent, that it closes a loop, or that no tree has grown to it yet.
 export const LOOP: i32 = 0;
@@ -22,8 +22,11 @@ export function orderTrees(t: JointTable): void {
     putWord(t.sets, row, row);
     putWord(t.heads, row, -1);
     putWord(t.marks, row, 0);
+    putWord(t.parents, i >> 1, LOOP);
   }
-  for (let i = 0; i < count; i++) linkJoint(t, i);
+  // What locks nothing would turn a chain of locks into a loop; ropes that may be slack come after them.
+  for (let i = 0; i < count; i++) linkJoint(t, i, LOCKS);
+  for (let i = 0; i < count; i++) linkJoint(t, i, ROPE);
   listRoots(t);
   t.orderCount = 0;
   for (let r = 0; r < t.rootCount; r++) reach(t, word(t.roots, r), r);
@@ -58,13 +61,11 @@ function listRoots(t: JointTable): void {
   return REACHED - word(t.heads, word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 0 : 1)));
 }
 
-// Joins the sets of the two bodies, and lists the joint at each; not where both are in one set already.
-function linkJoint(t: JointTable, i: i32): void {
+// Joins the sets of the two bodies of a joint with this role, and lists it at each; not where both are in one set already.
+function linkJoint(t: JointTable, i: i32, role: i32): void {
   const a = word(t.nodes, 2 * i);
   const b = word(t.nodes, 2 * i + 1);
-  putWord(t.parents, i, LOOP);
-  // What locks nothing would turn a chain of locks into a loop.
-  if ((word(t.roles, i) & LOCKS) == 0) return;
+  if ((word(t.roles, i) & role) == 0) return;
   if (a != 0 && b != 0) {
     const setA = setOf(t, a);
     const setB = setOf(t, b);

@@ -50,6 +50,8 @@ export class JointWork {
   i11: f64;
   i12: f64;
   i22: f64;
+  // Of a rod or a rope that is pulled hard: the inverse of what weighs across it (brace-rods.ts), 1/kg; else 0.
+  acrossInverse: f64;
   // Anchors from the centres of both bodies, in the axes of the world, and from the anchor of a to that of b, m.
   rax: f64;
   ray: f64;

@@ -20,6 +20,8 @@ export const A_MOVES: i32 = 64;
 export const B_MOVES: i32 = 128;
 // One of them does not move along some axis.
 export const LOCKED_END: i32 = 256;
+// It is a rod with limits, without spring: it locks its direction while one of them bears (engage-limits.ts).
+export const ROPE: i32 = 512;
 
 // @ts-ignore: decorator
 @inline export function isPlainHinge(role: i32): bool {
@@ -70,7 +72,7 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
   return true;
 }
 
-// A rod with a spring or limits locks nothing.
+// A rod with a spring locks nothing, and one with limits only while they bear.
 // @ts-ignore: decorator
 @inline function roleOf(t: JointTable, id: i32, kind: u32): i32 {
   if (kind >= MOTOR) return SPECIAL;
@@ -79,7 +81,8 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
   if (get(t.maxMotor, id) > 0) axes |= POWERED;
   if (word(t.hasLimits, id) != 0) axes |= LIMITED;
   if (kind == REVOLUTE) return LOCKS | HINGE | axes;
-  return kind == DISTANCE && (axes & (SPRING | LIMITED)) != 0 ? axes : LOCKS | axes;
+  if (kind != DISTANCE || (axes & (SPRING | LIMITED)) == 0) return LOCKS | axes;
+  return axes == LIMITED ? ROPE | axes : axes;
 }
 
 // Clears the impulses of springs, motors and limits that were switched off.

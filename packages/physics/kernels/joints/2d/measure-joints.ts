@@ -3,9 +3,11 @@ import { get } from '../../memory/columns';
 import { cosine, sine } from '../../math/elementary';
 import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { braceRod } from './brace-rods';
 import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
 import { chordOfLength, chordOfPoints, measureBends, partOfChord, withinSpeed } from './chords';
 import { measureHinge } from './hinge-locks';
+import { LOOP } from './joint-trees';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
@@ -66,6 +68,7 @@ function angleBetween(t: JointTable, work: JointWork): f64 {
 function measureLocks(t: JointTable, work: JointWork): void {
   const kind = work.kind;
   work.locks = 0;
+  work.acrossInverse = 0;
   if (kind == REVOLUTE) lockPoint(work);
   if (kind == WELD) {
     lockPoint(work);
@@ -170,6 +173,7 @@ function alongLine(t: JointTable, work: JointWork): void {
   const chord = withinSpeed(bent, work.slideX * ux + work.slideY * uy);
   setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance, chord);
   setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance, 0);
+  if (work.parent != LOOP) braceRod(t, work, max<f64>(distance, MIN_DISTANCE));
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
   setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id), chord);
   work.locks = 1;

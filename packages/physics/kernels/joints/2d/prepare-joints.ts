@@ -6,7 +6,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { articulated } from './articulated-body';
 import { braceBodies, jointed, keepVelocity, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops } from './color-loops';
-import { JointTable, MOTOR, impulsesOf } from './joint-table';
+import { DISTANCE, JointTable, MOTOR, impulsesOf } from './joint-table';
 import { PARENT_B } from './joint-trees';
 import { JointWork, PLAIN, placeAt, startAt, workAt } from './joint-work';
 import { layOutJoints } from './lay-out-joints';
@@ -69,7 +69,7 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   }
   if (at.hinge != 0) return;
   measureJoint(t, k);
-  if (work.locks > 0) stiffenByLocks(t, work, impulsesOf(t, id));
+  if (work.locks > 0 || work.kind == DISTANCE) stiffenByLocks(t, work, impulsesOf(t, id));
 }
 
 // Whether a joint may give energy. A motor that stands still only rubs.

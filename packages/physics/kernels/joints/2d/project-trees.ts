@@ -3,6 +3,7 @@
 import { putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
+import { releaseRods } from './brace-rods';
 import { gatherHinge, passHinge } from './hinge-locks';
 import { JointTable } from './joint-table';
 import { placeAt, startAt } from './joint-work';
@@ -14,6 +15,7 @@ import { clearMasses } from './start-joints';
 // let go: between a light body and a heavy one the least softness leaves much for later projections, and impacts would diverge.
 export function startProjections(t: JointTable, rigid: RigidTable): void {
   const factor = t.otherCount > 0;
+  if (factor) releaseRods(t);
   if (factor) clearMasses(t, rigid);
   softness.massScale = 1;
   softness.impulseScale = 0;

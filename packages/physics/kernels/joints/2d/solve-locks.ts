@@ -25,9 +25,10 @@ import {
   massOf,
 } from './articulated-body';
 import { jointed } from './brace-joints';
+import { notePull } from './brace-rods';
 import { engageLimit, predictLimits, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
 import { exertHinge, follow, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
-import { JointTable, impulsesOf } from './joint-table';
+import { DISTANCE, JointTable, impulsesOf } from './joint-table';
 import { JointPlace, JointRow, JointWork, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
 import { applyLocks, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { COMPLIANCE, softenJoint } from './soft-impulse';
@@ -65,8 +66,8 @@ function factorJoint(t: JointTable, at: JointPlace, work: JointWork): void {
     invert(changetype<usize>(mass));
     addThrough(mass, work, r0, r1, r2);
   }
-  // A row of zeros has no impulse, whatever its element is.
-  if (work.locks < 3) work.i22 = 1;
+  // A row of zeros has no impulse, whatever its element is. That across a rod (brace-rods.ts) gives way as its mass does.
+  if (work.locks < 3) work.i22 = work.acrossInverse > 0 ? work.i22 + work.acrossInverse : 1;
   if (work.locks < 2) work.i11 = 1;
   if (work.locks < 1) work.i00 = 1;
   invert(changetype<usize>(work) + offsetof<JointWork>('i00'));
@@ -240,9 +241,11 @@ function exertJoint(t: JointTable, rigid: RigidTable, k: i32, soft: bool): void 
   const work = workAt(t, k);
   const impulses = impulsesOf(t, work.id);
   const scale = -signOf(placeAt(t, k)) * softness.massScale;
+  const pull = impulses.lock1;
   impulses.lock0 = (soft ? 0 : impulses.lock0) + finite(scale * rowOf(work, 0).value);
   impulses.lock1 = (soft ? 0 : impulses.lock1) + finite(scale * rowOf(work, 1).value);
   impulses.lock2 = (soft ? 0 : impulses.lock2) + finite(scale * rowOf(work, 2).value);
+  if (soft && work.kind == DISTANCE) notePull(impulses, pull);
 }
 
 // Turns the values of the rows into the impulses along them, on the parent, and gives the child its velocity.

@@ -5,6 +5,7 @@ import { clearRecord } from '../../memory/records';
 import { LOCKED, flagsOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { ARTICULATED_MASS_SIZE, articulated, massBeside, massOf } from './articulated-body';
+import { braceTurns, startRods } from './brace-rods';
 import { applyAtHinge } from './hinge-locks';
 import { GEAR, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
 import { JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, workAt } from './joint-work';
@@ -18,6 +19,7 @@ export function startJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
+  if (t.otherCount > 0) startRods(t);
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     measureJoint(t, k);
@@ -36,6 +38,7 @@ export function clearMasses(t: JointTable, rigid: RigidTable): void {
     if (at.hinge == 0 && at.below != 0) clearRecord(changetype<usize>(massBeside(t, at.below)), ARTICULATED_MASS_SIZE);
   }
   if (rigid.lockedCount > 0) weighLocked(t, rigid);
+  if (t.otherCount > 0) braceTurns(t, rigid);
 }
 
 // Factor of a body's mass along a locked axis: large against all that is joined to it, and small enough to leave digits.

@@ -3,10 +3,11 @@ import { get } from '../../memory/columns';
 import { LANES } from '../../memory/lanes';
 import { putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { stiffenByRod } from './brace-rods';
 import { keepVelocity, stiffen } from './brace-joints';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
-import { GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf, lockAddress } from './joint-table';
+import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf, lockAddress } from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, signOf, workAt } from './joint-work';
 
 // Sums over the rows of a joint: the impulse, N s, and the angular impulse, N m s, on b.
@@ -35,6 +36,7 @@ export function watchJoint(t: JointTable, k: i32): void {
 
 // What the locked directions do to the bodies when these turn (brace-joints.ts).
 export function stiffenByLocks(t: JointTable, work: JointWork, impulses: JointImpulses): void {
+  if (work.kind == DISTANCE) return stiffenByRod(t, work);
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
