@@ -1,19 +1,39 @@
 // Continuous collision: a body that moved further in a step than contacts see ahead may have sunk into something, or passed
 // through it. It is put back to where it came near the first body without mass on its way, and from there moved along the
-// surface for the rest of the step, as far as nothing else is in the way; a bullet is put back to where it came near any other
-// body. The contact there is found in the next step.
+// surface for the rest of the step, if that is flat and as far as nothing else is in the way. A bullet is put back to where it came
+// near any other body, and is carried along by what goes on moving: or that would have passed it when the step ends. The contact
+// there is found in the next step.
 //
 // Source: the bounds are those of Box2D 3 (solver.c).
-import { COLLIDES, COMPOUND, DYNAMIC, FAST, flagsOf, poseOf, putFlags, putWord, stateOf, word } from './body';
 import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
-import { SAFE_PATH, findImpact, impact } from './first-impact';
+import { sineCosine } from '../../math/elementary';
+import {
+  ASLEEP,
+  COLLIDES,
+  COMPOUND,
+  DYNAMIC,
+  FAST,
+  MOVES,
+  flagsOf,
+  poseOf,
+  putFlags,
+  putWord,
+  stateOf,
+  word,
+} from './body';
+import { SAFE_PATH, endsAlong, findImpact, impact } from './first-impact';
 import { turnState } from './integrate-bodies';
 import { passSensors } from './pass-sensors';
+import { bodyOf, turnTo } from './parts';
 import { longestPath, pathOf } from './paths';
 import { RigidTable } from './rigid-table';
+import { stopOf } from './sweep-shapes';
 
 // A body that moves by more than this part of its least extent may pass through something thin.
 const SAFE_PART: real = 0.5;
+
+// In place of the fraction at which a bullet is stopped, until that is known.
+const PENDING: real = 2;
 
 // Bullets come after all others, whose motion is known then.
 export function stopFastBodies(table: usize): void {
@@ -27,8 +47,10 @@ export function stopFastBodies(table: usize): void {
     const extent = SAFE_PART * poseOf(t, row).minExtent;
     putFlags(t, row, path > extent ? flags | FAST : flags);
     if (path <= min<real>(extent, SAFE_PATH)) continue;
-    if (isBullet(t, row)) putWord(t.bullets, bullets++, row);
-    else stopBody(t, row, -1);
+    if (isBullet(t, row)) {
+      putWord(t.bullets, bullets++, row);
+      putStop(t, row, PENDING);
+    } else stopBody(t, row, -1);
   }
   if (bullets == 0) return;
   const reach = longestPath(t);
@@ -50,21 +72,62 @@ function stopBody(t: RigidTable, row: i32, reach: real): void {
   if (first < 1) {
     putFlags(t, row, flagsOf(t, row) | FAST);
     if (reach < 0 && !impact.touches && glide(t, row, first)) first = findImpact(t, row, reach);
-    if (first < 1) moveBack(t, row, first);
+    if (first < 1) {
+      moveBack(t, row, first);
+      if (reach >= 0 && carry(t, row, first)) {
+        first = findImpact(t, row, -1);
+        if (first < 1) moveBack(t, row, first);
+      }
+    }
   }
-  store<f32>(t.stops + ((<usize>row) << 2), <f32>first);
+  putStop(t, row, first);
   if (t.sensorCount > 0) passSensors(t, row);
 }
 
-// Moves a body along the surface from where it meets it, if there is some way to go. It does not turn any further.
+// @ts-ignore: decorator
+@inline function putStop(t: RigidTable, row: i32, fraction: real): void {
+  store<f32>(t.stops + ((<usize>row) << 2), <f32>fraction);
+}
+
+// Moves a body along the surface from where it meets it, if there is some way to go. It does not turn any further. Where the surface
+// is no longer the same there, as on a round one, the body stays: the next step finds the normal of the impact.
 function glide(t: RigidTable, row: i32, fraction: real): bool {
   const state = stateOf(t, row);
   const left = <real>1 - fraction;
   const along = left * (state.dx * impact.ny - state.dy * impact.nx);
   if (abs<real>(along) < TARGET) return false;
+  const dx = state.dx;
+  const dy = state.dy;
+  const turned = state.turned;
   moveBack(t, row, fraction);
   state.dx += along * impact.ny;
   state.dy -= along * impact.nx;
+  if (endsAlong(t, row)) return true;
+  state.dx = dx;
+  state.dy = dy;
+  state.turned = turned;
+  turnState(state);
+  return false;
+}
+
+// Moves a bullet with the body that it meets until that body stops. One that is a bullet itself is yet to be stopped by this one.
+function carry(t: RigidTable, row: i32, fraction: real): bool {
+  const other = bodyOf(t, impact.other);
+  const stop = stopOf(t, other);
+  if ((flagsOf(t, other) & MOVES) == 0 || (flagsOf(t, other) & ASLEEP) != 0) return false;
+  if (stop > 1 || fraction >= stop) return false;
+  const state = stateOf(t, row);
+  const by = stateOf(t, other);
+  const part = (stop - fraction) / stop;
+  const dx = part * by.dx;
+  const dy = part * by.dy;
+  const x = poseOf(t, row).x - poseOf(t, other).x + (state.dx - (by.dx - dx));
+  const y = poseOf(t, row).y - poseOf(t, other).y + (state.dy - (by.dy - dy));
+  turnTo(<f64>(part * by.turned));
+  const c = <real>sineCosine.cosine;
+  const s = <real>sineCosine.sine;
+  state.dx += dx + (c * x - s * y - x);
+  state.dy += dy + (s * x + c * y - y);
   return true;
 }
 

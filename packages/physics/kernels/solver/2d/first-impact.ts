@@ -9,7 +9,7 @@ import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { collideShapes } from '../../collision/narrow-phase/2d/collide-shapes';
-import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
+import { TARGET, targetOf } from '../../collision/narrow-phase/2d/collide-ahead';
 import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/far-points';
 import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
@@ -25,11 +25,18 @@ import { shapeAt } from './walls';
 const CORE_PART: real = 0.25;
 // A body that moves by less than contacts see ahead and the slop sinks in by less than the slop.
 export const SAFE_PATH: real = SPECULATIVE_DISTANCE + TARGET;
+// What flies may enter something in passing by so many times the distance at which an impact counts.
+const GRAZE: real = 2;
+// A surface is flat as far as its normal turns by less than this angle, rad.
+const FLAT: real = 0.001;
 
 @unmanaged
 class Impact {
   // Whether the body touches something at the start of the step.
   touches: bool;
+  // The shape of the body, and what it meets.
+  row: i32;
+  other: i32;
   // The normal, from what the body meets to the body.
   nx: real;
   ny: real;
@@ -87,6 +94,8 @@ function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i3
       startSweepB(t, sweep, body, row);
     } else if (fraction < first) {
       first = fraction;
+      impact.row = row;
+      impact.other = other;
       impact.nx = sweep.nx;
       impact.ny = sweep.ny;
     }
@@ -109,7 +118,8 @@ const SLIDES: real = 2;
 // contact, unless it may pass through.
 function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): real {
   startSweepA(t, sweep, other);
-  sweep.target = TARGET;
+  const target = targetOf(shape.minExtent);
+  sweep.target = target;
   if (!mayPass && !maySink(shape)) return 1;
   const wall = shapeAt(t, other, spareA);
   const stop = stopOf(t, other);
@@ -126,7 +136,9 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   const nx = sweep.nx;
   const ny = sweep.ny;
   const part = CORE_PART * shape.minExtent;
-  makeCircle(core, starts ? part : max<real>(part, shape.minExtent - SAFE_PATH));
+  // What flies is deflected by what it grazes.
+  const graze = impact.touches ? SAFE_PATH : GRAZE * target;
+  makeCircle(core, starts ? part : max<real>(part, shape.minExtent - graze));
   timeOfImpact(sweep, wall, core);
   if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
   if (starts && nx == 0 && ny == 0) return sweep.fraction;
@@ -159,10 +171,28 @@ function endsInside(wall: Shape, shape: Shape): bool {
   const x = sweep.endBx - sweep.endAx;
   const y = sweep.endBy - sweep.endAy;
   setPoses(manifold, x, y, sweep.endAc, sweep.endAs, sweep.endBc, sweep.endBs);
-  manifold.speculative = -TARGET;
+  manifold.speculative = impact.touches ? -TARGET : -min<real>(TARGET, GRAZE * sweep.target);
   manifold.reach = 0;
   collideShapes(manifold, wall, shape);
   return manifold.count > 0;
+}
+
+// Whether the shape that met something ends at the same surface: there, with the same normal.
+export function endsAlong(t: RigidTable, body: i32): bool {
+  startSweepB(t, sweep, body, impact.row);
+  startSweepA(t, sweep, impact.other);
+  sweep.ax = sweep.endAx;
+  sweep.ay = sweep.endAy;
+  sweep.ac = sweep.endAc;
+  sweep.as = sweep.endAs;
+  sweep.bx = sweep.endBx;
+  sweep.by = sweep.endBy;
+  sweep.bc = sweep.endBc;
+  sweep.bs = sweep.endBs;
+  sweep.target = SPECULATIVE_DISTANCE;
+  timeOfImpact(sweep, shapeAt(t, impact.other, spareA), shapeOf(impact.row, spareB));
+  if (sweep.isHit == 0 || sweep.nx * impact.nx + sweep.ny * impact.ny <= 0) return false;
+  return abs<real>(sweep.nx * impact.ny - sweep.ny * impact.nx) < FLAT;
 }
 
 // Whether the second shape moves against the first at more than 45 degrees.
