@@ -6,7 +6,10 @@ const DT = 1 / 60;
 const DEGREE = Math.PI / 180;
 
 /** The direction in which a ball of radius r leaves a round body at rest of radius R that it meets at a distance b from its middle. */
-function deflect(precision: 'f32' | 'f64', { r, R, b, speed, x }: Record<'r' | 'R' | 'b' | 'speed' | 'x', number>): number {
+function deflect(
+  precision: 'f32' | 'f64',
+  { r, R, b, speed, x }: Record<'r' | 'R' | 'b' | 'speed' | 'x', number>,
+): number {
   const world = createPhysicsWorld({ preset: rigidBodies, precision, capacity: 10 });
   spawn(world, { position: {}, collider: { radius: R, restitution: 1 } });
   const ball = spawn(world, { position: { x, y: b }, velocity: { x: speed }, collider: { radius: r, density: 100 } });
@@ -18,18 +21,21 @@ function deflect(precision: 'f32' | 'f64', { r, R, b, speed, x }: Record<'r' | '
 }
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
-  test.each([25, 40, 100])('a ball of 0.1 m at %d m/s leaves a static disc as the normal of the impact says', (speed) => {
-    const r = 0.1;
-    const R = 0.4;
-    for (let k = 0; k < 24; k++) {
-      const b = (0.05 + 0.07 * (k % 12)) * (r + R);
-      const angle = Math.asin(b / (r + R));
-      const direction = deflect(precision, { r, R, b, speed, x: -5 - 0.13 * k });
-      // An impact counts where the surfaces come within the slop of 5 mm, met to a quarter.
-      const early = Math.asin(b / (r + R)) - Math.asin(b / (r + R + 1.25 * 0.005));
-      expect(Math.abs(direction - (Math.PI - 2 * angle)), `at ${b} m`).toBeLessThan(2 * early + 0.1 * DEGREE);
-    }
-  });
+  test.each([25, 40, 100])(
+    'a ball of 0.1 m at %d m/s leaves a static disc as the normal of the impact says',
+    (speed) => {
+      const r = 0.1;
+      const R = 0.4;
+      for (let k = 0; k < 24; k++) {
+        const b = (0.05 + 0.07 * (k % 12)) * (r + R);
+        const angle = Math.asin(b / (r + R));
+        const direction = deflect(precision, { r, R, b, speed, x: -5 - 0.13 * k });
+        // An impact counts where the surfaces come within the slop of 5 mm, met to a quarter.
+        const early = Math.asin(b / (r + R)) - Math.asin(b / (r + R + 1.25 * 0.005));
+        expect(Math.abs(direction - (Math.PI - 2 * angle)), `at ${b} m`).toBeLessThan(2 * early + 0.1 * DEGREE);
+      }
+    },
+  );
 
   test('a bullet stays in front of a plank that comes towards it', () => {
     for (const speed of [20, 100]) {
