@@ -21,12 +21,13 @@ import {
   stateOf,
   word,
 } from './body';
-import { SAFE_PATH, endsAlong, findImpact, impact } from './first-impact';
+import { SAFE_PATH, endsAlong, findImpact, impact, isOnRail } from './first-impact';
 import { turnState } from './integrate-bodies';
 import { passSensors } from './pass-sensors';
 import { bodyOf, turnTo } from './parts';
 import { longestPath, pathOf } from './paths';
 import { RigidTable } from './rigid-table';
+import { rollOn } from './roll-on';
 import { stopOf } from './sweep-shapes';
 
 // A body that moves by more than this part of its least extent may pass through something thin.
@@ -71,17 +72,28 @@ function stopBody(t: RigidTable, row: i32, reach: real): void {
   let first = findImpact(t, row, reach);
   if (first < 1) {
     putFlags(t, row, flagsOf(t, row) | FAST);
-    if (reach < 0 && !impact.touches && glide(t, row, first)) first = findImpact(t, row, reach);
-    if (first < 1) {
-      moveBack(t, row, first);
-      if (reach >= 0 && carry(t, row, first)) {
-        first = findImpact(t, row, -1);
-        if (first < 1) moveBack(t, row, first);
-      }
-    }
+    first = stopAt(t, row, first, reach);
   }
   putStop(t, row, first);
   if (t.sensorCount > 0) passSensors(t, row);
+}
+
+// Deals with an impact at a fraction of the step. Returns the fraction at which the body is stopped after all.
+function stopAt(t: RigidTable, row: i32, fraction: real, reach: real): real {
+  let first = fraction;
+  if (isOnRail(t)) {
+    const time = rollOn(t, row, first);
+    first = reach < 0 ? <real>1 : findImpact(t, row, reach);
+    if (first == 1) return time;
+  } else if (reach < 0 && !impact.touches && glide(t, row, first)) {
+    first = findImpact(t, row, reach);
+    if (first == 1) return 1;
+  }
+  moveBack(t, row, first);
+  if (reach < 0 || !carry(t, row, first)) return first;
+  first = findImpact(t, row, -1);
+  if (first < 1) moveBack(t, row, first);
+  return first;
 }
 
 // @ts-ignore: decorator

@@ -15,7 +15,7 @@ import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, FAST, ONE_WAY, SENSOR, flagsOf, stateOf, word } from './body';
+import { COLLIDES, FAST, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
@@ -46,7 +46,7 @@ class Impact {
 export const impact = changetype<Impact>(memory.data(offsetof<Impact>() + 8, 8));
 
 const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
-const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
+export const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16));
 const core = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
@@ -56,9 +56,25 @@ const path = changetype<FatBox>(memory.data(offsetof<FatBox>() + 8, 8));
 // move count, too, which may have left their boxes by so much.
 export function findImpact(t: RigidTable, row: i32, reach: real): real {
   impact.touches = false;
+  rolls = mayRoll(t, row);
   const first = firstOfShapes(t, row, reach);
   // Of a body that touches something fewer impacts count; some may have been found before its contact was.
   return impact.touches && first < 1 ? firstOfShapes(t, row, reach) : first;
+}
+
+// Whether the body is deflected by what it meets while it touches something else (roll-on.ts).
+let rolls: bool = false;
+
+// Joints hold a body back that would be deflected alone.
+function mayRoll(t: RigidTable, row: i32): bool {
+  if ((flagsOf(t, row) & (FAST | ROUND | LOCKED)) != (FAST | ROUND)) return false;
+  for (let i = 0; i < 2 * t.linkCount; i++) if (word(t.links, i) == row) return false;
+  return true;
+}
+
+// Whether the body rolls or slides along something at rest, and met more of it.
+export function isOnRail(t: RigidTable): bool {
+  return rolls && impact.touches && (flagsOf(t, impact.other) & MOVES) == 0;
 }
 
 function firstOfShapes(t: RigidTable, row: i32, reach: real): real {
@@ -90,7 +106,7 @@ function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i3
     if (!mayStop(t, body, row, other)) continue;
     const fraction = impactWith(t, other, shape, mayPass);
     if (fraction == SLIDES) {
-      slide(t, body, sweep.nx, sweep.ny);
+      slide(t, body, sweep);
       startSweepB(t, sweep, body, row);
     } else if (fraction < first) {
       first = fraction;
@@ -129,22 +145,34 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   if ((flagsOf(t, other) & ONE_WAY) != 0 && (sweep.fraction == 0 || !isUpperSide(t, other, sweep.nx, sweep.ny)))
     return 1;
   const starts = sweep.fraction == 0;
+  const isRail = rolls && (flagsOf(t, other) & MOVES) == 0;
   if (starts) impact.touches = true;
-  else if (endsInside(wall, shape)) return sweep.fraction;
+  else if (endsInside(wall, shape, isRail)) return sweep.fraction;
   if (!mayPass) return 1;
   const fraction = sweep.fraction;
   const nx = sweep.nx;
   const ny = sweep.ny;
   const part = CORE_PART * shape.minExtent;
-  // What flies is deflected by what it grazes.
-  const graze = impact.touches ? SAFE_PATH : GRAZE * target;
-  makeCircle(core, starts ? part : max<real>(part, shape.minExtent - graze));
+  // What flies or rolls is deflected by what it grazes.
+  const graze = impact.touches && !isRail ? SAFE_PATH : GRAZE * target;
+  makeCircle(core, starts && !isRail ? part : max<real>(part, shape.minExtent - graze));
   timeOfImpact(sweep, wall, core);
+  if (starts && isRail) {
+    if (sweep.isHit == 0) return 1;
+    if (sweep.fraction > 0) return hitFrom(nx, ny, 0);
+    makeCircle(core, part);
+    timeOfImpact(sweep, wall, core);
+  }
   if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
   if (starts && nx == 0 && ny == 0) return sweep.fraction;
+  return hitFrom(nx, ny, starts ? SLIDES : fraction);
+}
+
+// @ts-ignore: decorator
+@inline function hitFrom(nx: real, ny: real, fraction: real): real {
   sweep.nx = nx;
   sweep.ny = ny;
-  return starts ? SLIDES : fraction;
+  return fraction;
 }
 
 // Whether the second shape moves so far against the first that it may enter it by more than the slop. A body that a turning drum
@@ -165,9 +193,10 @@ function maySink(shape: Shape): bool {
 
 // Whether the second shape ends in the first by more than the slop, so that it would be seen to sink in, and bounce from there. A
 // body that slides or rolls from one tile or segment of a floor to the next does not, although it meets the end of the next
-// one. Where a floor turns up, what is pressed on it may enter further: to halt it would only press others into it.
-function endsInside(wall: Shape, shape: Shape): bool {
-  if (impact.touches && !isSteep()) return false;
+// one. Where a floor turns up, what is pressed on it may enter further, if it cannot be deflected: to halt it would only press others
+// into it.
+function endsInside(wall: Shape, shape: Shape, isRail: bool): bool {
+  if (impact.touches && !isRail && !isSteep()) return false;
   const x = sweep.endBx - sweep.endAx;
   const y = sweep.endBy - sweep.endAy;
   setPoses(manifold, x, y, sweep.endAc, sweep.endAs, sweep.endBc, sweep.endBs);
@@ -205,9 +234,11 @@ export function endsAlong(t: RigidTable, body: i32): bool {
 }
 
 // Takes the part of the movement that goes into a surface with this normal.
-function slide(t: RigidTable, row: i32, nx: real, ny: real): void {
+function slide(t: RigidTable, row: i32, sweep: Sweep): void {
   const state = stateOf(t, row);
-  const depth = min<real>(0, state.dx * nx + state.dy * ny);
-  state.dx -= depth * nx;
-  state.dy -= depth * ny;
+  const x = sweep.endBx - sweep.bx;
+  const y = sweep.endBy - sweep.by;
+  const depth = min<real>(0, x * sweep.nx + y * sweep.ny);
+  state.dx -= depth * sweep.nx;
+  state.dy -= depth * sweep.ny;
 }

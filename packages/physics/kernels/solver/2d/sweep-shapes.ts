@@ -7,11 +7,22 @@ import { ASLEEP, BodyPose, FAST, MOVES, flagsOf, poseOf, stateOf } from './body'
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 
+// Where the motion of a disc starts in a step in which it was deflected, m from where it was.
+let legX: real = 0;
+let legY: real = 0;
+
+export function startLeg(x: real, y: real): void {
+  legX = x;
+  legY = y;
+}
+
 // The motion of a shape of a body, as the second of the two that meet.
 export function startSweepB(t: RigidTable, sweep: Sweep, body: i32, row: i32): void {
   const motion = motionOfB(sweep);
   startAt(motion, poseOf(t, row));
   follow(t, motion, body, row);
+  motion.x += legX;
+  motion.y += legY;
 }
 
 // The motion of another shape, as the first of the two. A shape that sleeps or is static stays where it is.
