@@ -1,6 +1,6 @@
 // Bodies that sleep wake with what they are joined to, and when their joint is changed.
 import { get } from '../../memory/columns';
-import { ASLEEP, MOVES, SHIFTED, flagsOf, putWord, word } from '../../solver/2d/body';
+import { ASLEEP, JOINED, MOVES, SHIFTED, flagsOf, putFlags, putWord, word } from '../../solver/2d/body';
 import { listAwake } from '../../solver/2d/gather-bodies';
 import { wakeIsland } from '../../solver/2d/islands';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -18,6 +18,8 @@ export function wakeJoined(t: JointTable, rigid: RigidTable): void {
     putWord(t.linkIds, i, id);
     putWord(t.links, 2 * i, a);
     putWord(t.links, 2 * i + 1, b);
+    if (a > 0) putFlags(rigid, a, flagsOf(rigid, a) | JOINED);
+    if (b > 0) putFlags(rigid, b, flagsOf(rigid, b) | JOINED);
     const flagsA = flagsOf(rigid, a);
     const flagsB = flagsOf(rigid, b);
     if (((flagsA | flagsB) & ASLEEP) == 0) continue;

@@ -72,6 +72,8 @@ export const COMBINES: u32 = 262144;
 export const DRIVEN: u32 = 524288;
 // Its island is put to sleep at the end of this step.
 export const TIRED: u32 = 1048576;
+// A joint holds it in this step.
+export const JOINED: u32 = 2097152;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

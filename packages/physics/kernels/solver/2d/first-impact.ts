@@ -15,7 +15,7 @@ import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, FAST, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
+import { COLLIDES, FAST, JOINED, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
@@ -67,9 +67,7 @@ let rolls: bool = false;
 
 // Joints hold a body back that would be deflected alone.
 function mayRoll(t: RigidTable, row: i32): bool {
-  if ((flagsOf(t, row) & (FAST | ROUND | LOCKED)) != (FAST | ROUND)) return false;
-  for (let i = 0; i < 2 * t.linkCount; i++) if (word(t.links, i) == row) return false;
-  return true;
+  return (flagsOf(t, row) & (FAST | ROUND | LOCKED | JOINED)) == (FAST | ROUND);
 }
 
 // Whether the body rolls or slides along something at rest, and met more of it.
