@@ -124,7 +124,7 @@ function warnAboutStrongDrag(world: PhysicsWorld, dt: number): void {
   if (isStable === undefined || !(hasLinear || hasQuadratic)) return;
   const rateOf = (id: number) => {
     const { x, y, z } = Velocity;
-    const speed = Math.hypot(x[id], y[id], z[id]);
+    const speed = Math.sqrt(x[id] * x[id] + y[id] * y[id] + z[id] * z[id]);
     const linear = hasLinear ? LinearDrag.coefficient[id] : 0;
     const quadratic = hasQuadratic ? 2 * QuadraticDrag.coefficient[id] * speed : 0;
     return (linear + quadratic) / Mass.value[id];
