@@ -3,4 +3,4 @@ export const ASLEEP = 8;
 export const COLLIDES = 32;
 export const WAKES = 128;
 export const PART = 1024;
-export const TIRED = 1048576;
+export const TO_SLEEP = 1048576;

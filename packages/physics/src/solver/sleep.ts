@@ -7,7 +7,7 @@ import { namedResource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
-import { ASLEEP, PART, TIRED, WAKES } from './row-flags.ts';
+import { ASLEEP, PART, TO_SLEEP, WAKES } from './row-flags.ts';
 
 function flagsOf(world: PhysicsWorld): Uint32Array {
   if (!isSoftStep(world.integrator)) return new Uint32Array(0);
@@ -38,7 +38,7 @@ export function wake(world: PhysicsWorld, body: number): void {
 }
 
 /** Bodies that are put to sleep in the next step, and their generations. */
-const tiredBodies = namedResource('tired bodies', () => ({ ids: [] as number[], generations: [] as number[] }));
+const bodiesToSleep = namedResource('bodies to sleep', () => ({ ids: [] as number[], generations: [] as number[] }));
 
 /**
  * Puts a body to sleep at the end of the next step, with all that it touches or that is joined to it, even if they move: their
@@ -48,19 +48,19 @@ const tiredBodies = namedResource('tired bodies', () => ({ ids: [] as number[], 
 export function putToSleep(world: PhysicsWorld, body: number): void {
   const row = bodyOf(world, body);
   if (!isSoftStep(world.integrator)) return;
-  const { ids, generations } = tiredBodies(world);
+  const { ids, generations } = bodiesToSleep(world);
   ids.push(row);
   generations.push(world.internal.generations[row]);
 }
 
 /** Tells the step which bodies are put to sleep. */
-export function markTired(world: PhysicsWorld): void {
-  const { ids, generations } = tiredBodies(world);
+export function markBodiesToSleep(world: PhysicsWorld): void {
+  const { ids, generations } = bodiesToSleep(world);
   if (ids.length === 0) return;
   const flags = flagsOf(world);
   for (let i = 0; i < ids.length; i++) {
     const isSame = world.internal.generations[ids[i]] === generations[i];
-    if (isSame && rigidTable(world).numbers[Value.sleepTime] > 0) flags[ids[i]] |= TIRED;
+    if (isSame && rigidTable(world).numbers[Value.sleepTime] > 0) flags[ids[i]] |= TO_SLEEP;
   }
   ids.length = 0;
   generations.length = 0;

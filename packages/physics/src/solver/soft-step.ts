@@ -28,7 +28,7 @@ import { refreshParts } from './refresh-parts.ts';
 import { refreshWalls } from './refresh-walls.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
-import { markTired } from './sleep.ts';
+import { markBodiesToSleep } from './sleep.ts';
 
 /** How rigid bodies are solved. Lengths are for bodies from 0.1 m to 10 m. */
 export interface SoftStepOptions {
@@ -197,7 +197,7 @@ function advance(
   kernels.writeAngles(at);
   if (words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);
-  markTired(world);
+  markBodiesToSleep(world);
   kernels.updateSleep(at);
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);

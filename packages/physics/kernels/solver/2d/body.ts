@@ -71,7 +71,7 @@ export const COMBINES: u32 = 262144;
 // A joint drives it in this step: with a motor or a spring, or as a pulley or a gear.
 export const DRIVEN: u32 = 524288;
 // Its island is put to sleep at the end of this step.
-export const TIRED: u32 = 1048576;
+export const TO_SLEEP: u32 = 1048576;
 // A joint holds it in this step.
 export const JOINED: u32 = 2097152;
 

@@ -9,7 +9,7 @@ import {
   KINEMATIC,
   PART,
   SLEEPLESS,
-  TIRED,
+  TO_SLEEP,
   WAKES,
   flagsOf,
   poseOf,
@@ -57,7 +57,7 @@ function countStill(t: RigidTable): bool {
     const still = (flagsOf(t, row) & SLEEPLESS) == 0 && speed <= limit && speed - sleeper.slowest <= gain;
     sleeper.stillFor = still ? sleeper.stillFor + dt : 0;
     sleeper.island = row;
-    if (<f64>sleeper.stillFor >= t.sleepTime || (flagsOf(t, row) & TIRED) != 0) any = true;
+    if (<f64>sleeper.stillFor >= t.sleepTime || (flagsOf(t, row) & TO_SLEEP) != 0) any = true;
   }
   return any;
 }
@@ -139,7 +139,7 @@ function sleepIslands(t: RigidTable): void {
     if (sleeper.stillFor < first.stillFor) first.stillFor = sleeper.stillFor;
     sleeper.next = row;
   }
-  tireIslands(t);
+  putIslandsToSleep(t);
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const island = islandOf(t, row);
@@ -154,11 +154,11 @@ function sleepIslands(t: RigidTable): void {
 }
 
 // Islands that are put to sleep do not wait until they are still.
-function tireIslands(t: RigidTable): void {
+function putIslandsToSleep(t: RigidTable): void {
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
-    if ((flagsOf(t, row) & TIRED) == 0) continue;
-    putFlags(t, row, flagsOf(t, row) & ~TIRED);
+    if ((flagsOf(t, row) & TO_SLEEP) == 0) continue;
+    putFlags(t, row, flagsOf(t, row) & ~TO_SLEEP);
     sleeperOf(t, islandOf(t, row)).stillFor = <real>Infinity;
   }
 }
