@@ -34,7 +34,7 @@ export const bundles = [
     name: 'rigid bodies in 2D',
     title: 'rigid bodies in 2D: shapes, joints, events, queries, walls',
     imports: rigid,
-    limits: [176.6, 122.4],
+    limits: [176.9, 122.6],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [319.4, 229.6] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [319.8, 229.9] },
 ];

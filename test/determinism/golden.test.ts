@@ -49,8 +49,8 @@ it('240 steps of every scene end where they always ended', () => {
       "solar-system": "629d39c213fda8a5",
       "spinner": "b5a140520495c729",
       "springs": "2f827429c1ac197b",
-      "tumbler": "0141d2aa7ef2c52f",
-      "washer": "6f09a53948963bb6",
+      "tumbler": "8ed7f7160ceb23ac",
+      "washer": "b42bb003a8cd9238",
     }
   `);
 });

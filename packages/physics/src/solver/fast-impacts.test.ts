@@ -80,4 +80,21 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       expect(Math.abs(speed - expected), `at ${b} m`).toBeLessThan(0.1 * 21);
     }
   });
+
+  test.each([3, 6])('a snooker ball that is struck at %d m/s leaves along the line of centres', (speed) => {
+    const r = 0.02625;
+    for (let k = 0; k < 40; k++) {
+      const b = ((k % 20) - 9.5) * 0.09 * 2 * r;
+      const world = createPhysicsWorld({ preset: rigidBodies, precision, capacity: 10 });
+      const { Velocity } = world.components;
+      const collider = { radius: r, restitution: 0.95, friction: 0 } as const;
+      spawn(world, { position: { x: -0.5 - 0.0037 * k, y: -b }, velocity: { x: speed }, mass: 0.14, collider });
+      const struck = spawn(world, { position: {}, mass: 0.14, collider });
+      for (let i = 0; i < 30; i++) step(world, DT);
+      const angle = Math.atan2(Velocity.y[struck], Velocity.x[struck]);
+      // An impact counts where the surfaces are 2.5 % of the radius apart, met to a quarter.
+      const early = Math.asin(b / (2 * r)) - Math.asin(b / ((2 + 1.25 * 0.025) * r));
+      expect(Math.abs(angle - Math.asin(b / (2 * r))), `at ${b} m`).toBeLessThan(Math.abs(early) + 0.1 * DEGREE);
+    }
+  });
 });

@@ -1,7 +1,7 @@
 // Fills the blocks of contacts for the sub-steps of a step, and empties them into the contacts afterwards.
 import { LANES, at as laneOffset } from '../../memory/lanes';
 import { clearRecord } from '../../memory/records';
-import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
+import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
 import { FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
@@ -130,8 +130,9 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
   const nx = contact.nx;
   const ny = contact.ny;
   // Points are half-way between the surfaces. What the bodies exert on each other acts where these meet, or angular momentum would
-  // not be conserved. Those of a predicted contact are of the moment at which the surfaces are TARGET apart.
-  const half = <real>0.5 * ((contact.flags & FORESEEN) != 0 ? TARGET : max<real>(0, point.separation));
+  // not be conserved. Those of a predicted contact are of the moment of the impact.
+  const half =
+    <real>0.5 * ((contact.flags & FORESEEN) != 0 ? impactDistance(t, contact) : max<real>(0, point.separation));
   store<real>(to, point.ax - half * nx, block.AX);
   store<real>(to, point.ay - half * ny, block.AY);
   store<real>(to, point.bx + half * nx, block.BX);

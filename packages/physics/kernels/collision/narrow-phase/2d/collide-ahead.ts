@@ -25,6 +25,13 @@ const LEAST_TARGET: real = 0.0001;
   return max<real>(LEAST_TARGET, min<real>(TARGET, TARGET_PART * minExtent));
 }
 
+// The same for two shapes: the smaller of those that move counts.
+export function impactDistance(t: RigidTable, contact: RigidContact): real {
+  const a = isMoving(t, contact.bodyA) ? poseOf(t, contact.a).minExtent : <real>Infinity;
+  const b = isMoving(t, contact.bodyB) ? poseOf(t, contact.b).minExtent : <real>Infinity;
+  return targetOf(min<real>(a, b));
+}
+
 const sweep = changetype<Sweep>(memory.data(offsetof<Sweep>() + 8, 8));
 
 // The velocities of a body: those of the world, row 0, if it does not move.
@@ -57,7 +64,7 @@ export function collideAhead(t: RigidTable, contact: RigidContact, m: Manifold, 
 function meet(t: RigidTable, contact: RigidContact, shapeA: Shape, shapeB: Shape): bool {
   foresee(t, contact.bodyA, contact.a, contact.a, motionOfA(sweep));
   foresee(t, contact.bodyB, contact.b, contact.a, motionOfB(sweep));
-  sweep.target = TARGET;
+  sweep.target = impactDistance(t, contact);
   timeOfImpact(sweep, shapeA, shapeB);
   return sweep.isHit != 0;
 }

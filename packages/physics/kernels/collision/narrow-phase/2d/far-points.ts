@@ -4,7 +4,7 @@
 import { LOCKED, flagsOf, poseOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape } from '../../shapes/2d/shape';
-import { TARGET, collideAhead, motionOf } from './collide-ahead';
+import { collideAhead, impactDistance, motionOf } from './collide-ahead';
 import { Manifold, dropPoint } from './manifold';
 import { RigidContact } from './rigid-contact';
 
@@ -34,7 +34,8 @@ export function reachOf(t: RigidTable, contact: RigidContact): real {
 export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): void {
   if (m.count == 0) return;
   const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
-  if (near > TARGET && m.speculative > SPECULATIVE_DISTANCE) collideAhead(t, contact, m, shapeA, shapeB);
+  const isAhead = m.speculative > SPECULATIVE_DISTANCE && near > impactDistance(t, contact);
+  if (isAhead) collideAhead(t, contact, m, shapeA, shapeB);
   if (m.count < 2) return;
   const isSecondNear = m.separation1 < m.separation0;
   const gap = (isSecondNear ? m.separation0 : m.separation1) - SPECULATIVE_DISTANCE;
