@@ -14,6 +14,7 @@ import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/far-points
 import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
+import { motionOfA, motionOfB, startAtEnd } from '../../collision/narrow-phase/2d/shape-motion';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import { COLLIDES, FAST, JOINED, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
 import { bodyOf } from './parts';
@@ -208,14 +209,8 @@ function endsInside(wall: Shape, shape: Shape, isRail: bool): bool {
 export function endsAlong(t: RigidTable, body: i32): bool {
   startSweepB(t, sweep, body, impact.row);
   startSweepA(t, sweep, impact.other);
-  sweep.ax = sweep.endAx;
-  sweep.ay = sweep.endAy;
-  sweep.ac = sweep.endAc;
-  sweep.as = sweep.endAs;
-  sweep.bx = sweep.endBx;
-  sweep.by = sweep.endBy;
-  sweep.bc = sweep.endBc;
-  sweep.bs = sweep.endBs;
+  startAtEnd(motionOfA(sweep));
+  startAtEnd(motionOfB(sweep));
   sweep.target = SPECULATIVE_DISTANCE;
   timeOfImpact(sweep, shapeAt(t, impact.other, spareA), shapeOf(impact.row, spareB));
   if (sweep.isHit == 0 || sweep.nx * impact.nx + sweep.ny * impact.ny <= 0) return false;

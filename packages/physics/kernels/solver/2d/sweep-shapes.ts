@@ -1,6 +1,13 @@
 // The motion of shapes in a step, for the time of impact: from the pose at the start of the step by the movement of the body.
 import { FatBox, measureBox, tight } from '../../collision/broad-phase/2d/fat-boxes';
-import { ShapeMotion, motionOfA, motionOfB, move, stay } from '../../collision/narrow-phase/2d/shape-motion';
+import {
+  ShapeMotion,
+  motionOfA,
+  motionOfB,
+  move,
+  startAtEnd,
+  stay,
+} from '../../collision/narrow-phase/2d/shape-motion';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import { Shape } from '../../collision/shapes/2d/shape';
 import { ASLEEP, BodyPose, FAST, MOVES, flagsOf, poseOf, stateOf } from './body';
@@ -90,14 +97,8 @@ export function sweepInPhases(sweep: Sweep, a: Shape, b: Shape, stop: real): voi
   if (sweep.isHit != 0) {
     sweep.fraction *= stop;
   } else {
-    sweep.ax = sweep.endAx;
-    sweep.ay = sweep.endAy;
-    sweep.ac = sweep.endAc;
-    sweep.as = sweep.endAs;
-    sweep.bx = sweep.endBx;
-    sweep.by = sweep.endBy;
-    sweep.bc = sweep.endBc;
-    sweep.bs = sweep.endBs;
+    startAtEnd(motionOfA(sweep));
+    startAtEnd(motionOfB(sweep));
     sweep.endBx = endX;
     sweep.endBy = endY;
     sweep.endBc = endC;

@@ -31,6 +31,14 @@ export function stay(motion: ShapeMotion, x: real, y: real, c: real, s: real): v
   motion.s = motion.endS = s;
 }
 
+// A shape that is where its motion ended.
+export function startAtEnd(motion: ShapeMotion): void {
+  motion.x = motion.endX;
+  motion.y = motion.endY;
+  motion.c = motion.endC;
+  motion.s = motion.endS;
+}
+
 // Its body moves by (dx, dy) and turns about a point, from which the shape is at (armX, armY), by an angle with this cosine and sine.
 export function move(motion: ShapeMotion, armX: real, armY: real, dx: real, dy: real, c: real, s: real): void {
   motion.endX += dx + (c * armX - s * armY) - armX;
