@@ -47,7 +47,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "dc6643f61307258a",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "b5a140520495c729",
+      "spinner": "19682e93fcbeb375",
       "springs": "2f827429c1ac197b",
       "tumbler": "8ed7f7160ceb23ac",
       "washer": "b42bb003a8cd9238",

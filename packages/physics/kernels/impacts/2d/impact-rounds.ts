@@ -31,6 +31,8 @@ const SOLVED: real = 1e-3;
 // The same for what does not bounce.
 const LAST_PASSES: i32 = 8;
 const LAST_SOLVED: real = 0.02;
+// Passes of a round with friction, if more than one contact is struck: in heaps the normals alone are solved after them.
+const RUBBING_PASSES: i32 = 4;
 // Passes of friction over what was struck.
 const FRICTION_PASSES: i32 = 2;
 // Contacts that approach more slowly are at rest, m/s.
@@ -113,7 +115,11 @@ function chooseStruck(t: RigidTable): void {
 
 function strike(t: RigidTable, index: i32): void {
   const impact = impactAt(t, index);
-  for (let i = 0; i < impact.count; i++) pointOf(impact, i).impulse = 0;
+  for (let i = 0; i < impact.count; i++) {
+    const point = pointOf(impact, i);
+    point.impulse = 0;
+    point.tangentBefore = point.tangentImpulse;
+  }
   putWord(t.struck, t.struckCount++, index);
 }
 
@@ -127,6 +133,7 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
       const pushed = max<i32>(word(t.pushes, impact.groupA), word(t.pushes, impact.groupB));
       if (t.pass > first && pushed < t.pass - 1) continue;
       const changed = stop(impact);
+      if ((t.struckCount == 1 || t.pass < first + RUBBING_PASSES) && rubs(impact)) applyFriction(impact);
       if (changed > 0) projectImpact(t, impact);
       if (changed <= solved) continue;
       change = max<real>(change, changed);
@@ -138,14 +145,33 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
   }
 }
 
+// Whether friction acts together with the impulses along the normal, so that what is stopped and thrown back is the speed that is
+// left of both: Newton's law then holds with friction. Impulses of friction are thrown back with the others, as Poisson has it, and
+// so no energy is gained: Wang and Mason, Two-Dimensional Rigid-Body Collisions With Friction (J. Appl. Mech. 59, 1992). For what
+// joints hold, or locks, friction follows the bounce, because the projections between would feed it.
+// @ts-ignore: decorator
+@inline function rubs(impact: Impact): bool {
+  if (impact.friction == 0 || impact.treeA >= 0 || impact.treeB >= 0) return false;
+  return isFree(impact.massAx, impact.massAy, impact.inertiaA) && isFree(impact.massBx, impact.massBy, impact.inertiaB);
+}
+
+// @ts-ignore: decorator
+@inline function isFree(massX: real, massY: real, inertia: real): bool {
+  return massX == massY && (massX > 0 || inertia == 0);
+}
+
 // A restitution above 1 adds energy once in a step, and counts as 1 in further rounds, which it would feed.
 function throwBack(impact: Impact): void {
   for (let i = 0; i < impact.count; i++) {
     const point = pointOf(impact, i);
     const impulse = impact.restitution * point.impulse;
+    const friction = impact.restitution * (point.tangentImpulse - point.tangentBefore);
     point.given += impulse;
+    point.tangentImpulse += friction;
     applyNormalImpulse(impact, point, impulse);
+    applyTangentImpulse(impact, point, friction);
   }
+  if (rubs(impact)) applyFriction(impact);
   impact.restitution = min<real>(1, impact.restitution);
 }
 

@@ -38,8 +38,8 @@ export class Impact {
   point0: real;
 }
 
-// Levers and effective masses as in a block; the impulses of this round, of all rounds, and of friction after them, N s, and what
-// was taken back along the normal.
+// Levers and effective masses as in a block; the impulses of this round and of all rounds, and those of friction of all rounds and
+// before this one, N s, and what was taken back along the normal.
 @unmanaged
 export class ImpactPoint {
   leverA: real;
@@ -51,10 +51,11 @@ export class ImpactPoint {
   impulse: real;
   given: real;
   tangentImpulse: real;
+  tangentBefore: real;
   taken: real;
 }
 
-const POINT: usize = 10 * sizeof<real>();
+const POINT: usize = 11 * sizeof<real>();
 
 // @ts-ignore: decorator
 @inline export const IMPACT_SIZE: usize = (offsetof<Impact>('point0') + 2 * POINT + 7) & ~7;
