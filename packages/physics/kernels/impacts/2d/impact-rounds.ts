@@ -32,7 +32,7 @@ const SOLVED: real = 1e-3;
 const LAST_PASSES: i32 = 8;
 const LAST_SOLVED: real = 0.02;
 // Passes of a round with friction, if more than one contact is struck: in heaps the normals alone are solved after them.
-const RUBBING_PASSES: i32 = 4;
+const COUPLED_PASSES: i32 = 4;
 // Passes of friction over what was struck.
 const FRICTION_PASSES: i32 = 2;
 // Contacts that approach more slowly are at rest, m/s.
@@ -133,7 +133,7 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
       const pushed = max<i32>(word(t.pushes, impact.groupA), word(t.pushes, impact.groupB));
       if (t.pass > first && pushed < t.pass - 1) continue;
       const changed = stop(impact);
-      if ((t.struckCount == 1 || t.pass < first + RUBBING_PASSES) && rubs(impact)) applyFriction(impact);
+      if ((t.struckCount == 1 || t.pass < first + COUPLED_PASSES) && couplesFriction(impact)) applyFriction(impact);
       if (changed > 0) projectImpact(t, impact);
       if (changed <= solved) continue;
       change = max<real>(change, changed);
@@ -150,7 +150,7 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
 // so no energy is gained: Wang and Mason, Two-Dimensional Rigid-Body Collisions With Friction (J. Appl. Mech. 59, 1992). For what
 // joints hold, or locks, friction follows the bounce, because the projections between would feed it.
 // @ts-ignore: decorator
-@inline function rubs(impact: Impact): bool {
+@inline function couplesFriction(impact: Impact): bool {
   if (impact.friction == 0 || impact.treeA >= 0 || impact.treeB >= 0) return false;
   return isFree(impact.massAx, impact.massAy, impact.inertiaA) && isFree(impact.massBx, impact.massBy, impact.inertiaB);
 }
@@ -171,7 +171,7 @@ function throwBack(impact: Impact): void {
     applyNormalImpulse(impact, point, impulse);
     applyTangentImpulse(impact, point, friction);
   }
-  if (rubs(impact)) applyFriction(impact);
+  if (couplesFriction(impact)) applyFriction(impact);
   impact.restitution = min<real>(1, impact.restitution);
 }
 

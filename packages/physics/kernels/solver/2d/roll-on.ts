@@ -91,9 +91,9 @@ function deflect(t: RigidTable, row: i32, state: BodyState): bool {
   const along = state.vy * nx - state.vx * ny - state.w * pose.extent;
   const yields = <real>1 + (pose.extent * pose.extent * pose.inverseInertia) / pose.inverseMass;
   const limit = contact.friction * change;
-  const rub = max<real>(-limit, min<real>(limit, -along / yields));
-  state.vx -= rub * ny;
-  state.vy += rub * nx;
-  state.w -= (rub * pose.extent * pose.inverseInertia) / pose.inverseMass;
+  const friction = max<real>(-limit, min<real>(limit, -along / yields));
+  state.vx -= friction * ny;
+  state.vy += friction * nx;
+  state.w -= (friction * pose.extent * pose.inverseInertia) / pose.inverseMass;
   return true;
 }

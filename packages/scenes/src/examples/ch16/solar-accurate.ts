@@ -3,14 +3,10 @@ import { type BuildOptions, defineExample } from '../define-example.ts';
 import {
   distanceFromSun,
   ellipseOf,
-  INNER_CAMERA,
   INNER_DISTANCES,
   INNER_NAMES,
   INNER_PLANETS,
-  INNER_VIEW,
-  innerLabels,
-  innerSun,
-  innerTrails,
+  innerPicture,
   type SolarRun,
   system2012,
 } from '../support/solar.ts';
@@ -41,13 +37,7 @@ export default defineExample({
   duration: 70,
   parameters: {},
   build: (_: object, { integrator = rungeKutta4 }: BuildOptions) => system2012({ integrator }),
-  picture: (run) => ({
-    view: INNER_VIEW,
-    camera: INNER_CAMERA,
-    fills: [innerSun(run)],
-    trails: innerTrails(run),
-    labels: innerLabels(run),
-  }),
+  picture: innerPicture,
   plots: [INNER_DISTANCES],
   checks: ({ at, smallest }) => [
     ...INNER_PLANETS.flatMap((name) => [

@@ -8,10 +8,7 @@ import {
   errorKm,
   HOUR,
   INNER_CAMERA,
-  INNER_VIEW,
-  innerLabels,
-  innerSun,
-  innerTrails,
+  innerPicture,
   type SolarRun,
   system2012,
 } from '../support/solar.ts';
@@ -53,12 +50,8 @@ export default defineExample({
     return { ...run, between };
   },
   picture: (run) => ({
-    view: INNER_VIEW,
-    camera: INNER_CAMERA,
+    ...innerPicture(run),
     cameraPath: FLIGHT,
-    fills: [innerSun(run)],
-    trails: innerTrails(run),
-    labels: innerLabels(run),
     lines: [{ from: () => aboutSun(run, 'venus').r, to: () => aboutSun(run, 'earth').r, width: 1 }],
   }),
   plots: [

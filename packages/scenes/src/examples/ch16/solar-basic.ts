@@ -8,14 +8,10 @@ import {
   ellipseOf,
   fixedSun,
   gmInPicture,
-  INNER_CAMERA,
   INNER_DISTANCES,
   INNER_NAMES,
   INNER_PLANETS,
-  INNER_VIEW,
-  innerLabels,
-  innerSun,
-  innerTrails,
+  innerPicture,
   periodOf,
   type SolarRun,
   speedInPicture,
@@ -47,13 +43,7 @@ export default defineExample({
       integrator,
     );
   },
-  picture: (run) => ({
-    view: INNER_VIEW,
-    camera: INNER_CAMERA,
-    fills: [innerSun(run)],
-    trails: innerTrails(run),
-    labels: innerLabels(run),
-  }),
+  picture: innerPicture,
   plots: [INNER_DISTANCES],
   checks: ({ at }) => [
     ...INNER_PLANETS.map((name) =>

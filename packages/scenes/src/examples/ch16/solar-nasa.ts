@@ -7,13 +7,9 @@ import {
   errorKm,
   fixedSun,
   gmInPicture,
-  INNER_CAMERA,
   INNER_NAMES,
   INNER_PLANETS,
-  INNER_VIEW,
-  innerLabels,
-  innerSun,
-  innerTrails,
+  innerPicture,
   jplPlace,
   type SolarRun,
   start2012,
@@ -55,11 +51,7 @@ export default defineExample({
     return build(model, integrator);
   },
   picture: (run) => ({
-    view: INNER_VIEW,
-    camera: INNER_CAMERA,
-    fills: [innerSun(run)],
-    trails: innerTrails(run),
-    labels: innerLabels(run),
+    ...innerPicture(run),
     curves: INNER_PLANETS.map((name) => ({
       points: [],
       now: () => jplPlace(name, YEAR),

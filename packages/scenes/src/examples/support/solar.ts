@@ -164,23 +164,32 @@ export function errorKm(run: SolarRun, name: InnerPlanet, days: number): number 
 }
 
 /** The region that shows the inner planets. */
-export const INNER_VIEW = { minX: -250, maxX: 250, minY: -250, maxY: 250, minZ: -30, maxZ: 30 } as const;
-/** From the north of the ecliptic, a little aslant. */
+const INNER_VIEW = { minX: -250, maxX: 250, minY: -250, maxY: 250, minZ: -30, maxZ: 30 } as const;
+/** From the north of the ecliptic, a little from the side. */
 export const INNER_CAMERA = { eye: { x: 0, y: -600, z: 800 }, target: { x: 0, y: 0, z: 0 } } as const;
 
 /** The trails of the inner planets. */
-export const innerTrails = ({ ids }: SolarRun) =>
+const innerTrails = ({ ids }: SolarRun) =>
   INNER_PLANETS.map((name) => ({ body: ids[name] as number, length: 700, interval: 24 }));
 
 /** The Sun as it shines by itself. */
-export const innerSun = (run: SolarRun): Fill => ({
+const innerSun = (run: SolarRun): Fill => ({
   shape: { centre: () => positionOf(run.world, run.ids.sun as number), radius: 17 },
   color: 0xffd873,
 });
 
 /** The names of the inner planets, beside them. */
-export const innerLabels = ({ world, ids }: SolarRun): Label[] =>
+const innerLabels = ({ world, ids }: SolarRun): Label[] =>
   INNER_PLANETS.map((name) => ({ at: () => positionOf(world, ids[name] as number), text: INNER_NAMES[name] }));
+
+/** The Sun and the inner planets with their names, and where they have been. */
+export const innerPicture = (run: SolarRun) => ({
+  view: INNER_VIEW,
+  camera: INNER_CAMERA,
+  fills: [innerSun(run)],
+  trails: innerTrails(run),
+  labels: innerLabels(run),
+});
 
 /** What the inner planets are called. */
 export const INNER_NAMES = { mercury: 'Mercury', venus: 'Venus', earth: 'Earth', mars: 'Mars' } as const;
