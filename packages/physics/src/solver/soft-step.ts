@@ -29,6 +29,7 @@ import { refreshWalls } from './refresh-walls.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 import { markBodiesToSleep } from './sleep.ts';
+import { beginSubsteps } from './step-lengths.ts';
 
 /** How rigid bodies are solved. Lengths are for bodies from 0.1 m to 10 m. */
 export interface SoftStepOptions {
@@ -150,9 +151,8 @@ function advance(
   const kernels = rigidKernels(world);
   const { at, words, numbers } = rigidTable(world);
   const h = dt / substeps;
-  if (numbers[Value.h] > 0 && numbers[Value.h] !== h) scaleImpulses(world, h / numbers[Value.h]);
+  beginSubsteps(world, h);
   numbers[Value.dt] = dt;
-  numbers[Value.h] = h;
   words[Word.rows] = world.lastId + 1;
   words[Word.torqueZ] = anyForceAppliesTorque(world) ? world.scratch.at.torque.z : 0;
 
@@ -202,13 +202,6 @@ function advance(
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
   kernels.rememberPoses(at, contentVersion(world));
-}
-
-/** Sub-steps differ in length from those of the last step by a factor. */
-function scaleImpulses(world: PhysicsWorld, factor: number): void {
-  const kernels = rigidKernels(world);
-  kernels.scaleContactImpulses(rigidTable(world).at, factor);
-  if (world.internal.counts.Joint > 0) kernels.scaleJointImpulses(jointTable(world).at, factor);
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;

@@ -162,19 +162,24 @@ export function storeImpulses(table: usize): void {
   for (let i = 0; i < t.touchingCount; i++) {
     const place = takeLane(t, word(t.touching, 2 * i + 1));
     const lane = block.blockOf(t, place / LANES) + laneOffset(place & (LANES - 1));
-    storeContact(contactAt(t, word(t.touching, 2 * i)), lane);
+    storeContact(contactAt(t, word(t.touching, 2 * i)), lane, <real>t.kept);
   }
 }
 
 // @ts-ignore: decorator
-@inline function storeContact(contact: RigidContact, lane: usize): void {
-  contact.rollingImpulse = load<real>(lane, block.ROLLING_IMPULSE);
+@inline function storeContact(contact: RigidContact, lane: usize, kept: real): void {
+  contact.rollingImpulse = blend(contact.rollingImpulse, load<real>(lane, block.ROLLING_IMPULSE), kept);
   for (let p = 0; p < contact.count; p++) {
     const point = pointOf(contact, p);
     const from = lane + block.POINTS + <usize>p * block.POINT;
-    point.normalImpulse = load<real>(from, block.NORMAL_IMPULSE);
-    point.tangentImpulse = load<real>(from, block.TANGENT_IMPULSE);
+    point.normalImpulse = blend(point.normalImpulse, load<real>(from, block.NORMAL_IMPULSE), kept);
+    point.tangentImpulse = blend(point.tangentImpulse, load<real>(from, block.TANGENT_IMPULSE), kept);
     point.totalImpulse = load<real>(from, block.TOTAL_IMPULSE);
     point.normalSpeed = load<real>(from, block.NORMAL_SPEED);
   }
+}
+
+// @ts-ignore: decorator
+@inline function blend(before: real, now: real, weight: real): real {
+  return weight < 1 ? before + weight * (now - before) : now;
 }

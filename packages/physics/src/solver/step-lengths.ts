@@ -1,0 +1,31 @@
+// Steps of different lengths: what contacts and joints keep from one step for the next. kernels/solver/2d/scale-impulses.ts
+// says why.
+import { rigidKernels } from '../collision/kernels.ts';
+import { jointTable } from '../joints/joint-table.ts';
+import { RigidTableNumber as Value } from '../memory/layouts.gen.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { rigidTable } from './rigid-table.ts';
+
+/** What the usual length of a sub-step loses in each shorter one: some ten of these become usual in their turn. */
+const FORGETTING = 0.75;
+
+/** Joints keep the whole impulses of a short step, and so may grow by no more than this in the next one. */
+const MAX_JOINT_GROWTH = 8;
+
+/** Prepares the world for sub-steps of h seconds. */
+export function beginSubsteps(world: PhysicsWorld, h: number): void {
+  const { at, numbers } = rigidTable(world);
+  const before = numbers[Value.h];
+  if (before > 0 && before !== h) scaleImpulses(world, at, h / before);
+  const usual = Math.max(h, FORGETTING * numbers[Value.usualLength]);
+  numbers[Value.h] = h;
+  numbers[Value.usualLength] = usual;
+  numbers[Value.kept] = h / usual;
+}
+
+function scaleImpulses(world: PhysicsWorld, at: number, factor: number): void {
+  const kernels = rigidKernels(world);
+  kernels.scaleContactImpulses(at, factor);
+  if (world.internal.counts.Joint === 0) return;
+  kernels.scaleJointImpulses(jointTable(world).at, Math.min(factor, MAX_JOINT_GROWTH));
+}
