@@ -16,7 +16,13 @@ export { assignWallShapes, countInvalidWalls } from '../solver/2d/walls';
 export { holdLocked } from '../solver/2d/motion-locks';
 export { writeParts } from '../solver/2d/parts';
 export { colorContacts } from '../solver/2d/color-contacts';
-export { findCrowds, limitCrowdEnergies, limitCrowdSpeeds, measureCrowds } from '../solver/2d/crowds';
+export {
+  findCrowds,
+  limitCrowdBounces,
+  limitCrowdEnergies,
+  limitCrowdSpeeds,
+  measureCrowds,
+} from '../solver/2d/crowds';
 export { prepareContacts, storeImpulses } from '../solver/2d/prepare-contacts';
 export { scaleContactImpulses } from '../solver/2d/scale-impulses';
 export { relaxContacts, solveContacts, warmStartContacts } from '../solver/2d/solve-contacts';

@@ -188,8 +188,11 @@ function advance(
     if (crowded) kernels.limitCrowdEnergies(at);
     if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
   }
-  // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
-  if (kernels.applyRestitution(at) > 0 && joints !== 0) kernels.relaxLocks(joints);
+  if (kernels.applyRestitution(at) > 0) {
+    // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
+    if (joints !== 0) kernels.relaxLocks(joints);
+    if (crowded) kernels.limitCrowdBounces(at);
+  }
   kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);

@@ -3,8 +3,9 @@
 //
 //   before positions change   no body is faster than overlap is pushed out, nor than the fastest before contacts were solved
 //   when all is relaxed       the kinetic energy is at most what it was before: contacts give none
+//   when all has bounced      the kinetic energy is at most that of the start of the step and what forces gave in it
 //
-// both about the centre of mass, or about the ground if the crowd touches it. Velocities are scaled about it all alike, which
+// all about the centre of mass, or about the ground if the crowd touches it. Velocities are scaled about it all alike, which
 // conserves momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that something
 // drives, a motor, a spring, a belt or a kinematic body, may gain energy and stay as they are.
 import {
@@ -40,6 +41,8 @@ export class Crowd {
   fastestBefore: f64;
   energy: f64;
   fastest: f64;
+  // Kinetic energy of the start of the step and what forces gave since, J.
+  given: f64;
   bodies: i32;
   deepContacts: i32;
   // Whether it touches what does not move, and whether something drives it.
@@ -144,9 +147,14 @@ function notePair(t: RigidTable, a: i32, b: i32): Crowd {
 export function measureCrowds(table: usize): void {
   const t = changetype<RigidTable>(table);
   findFrames(t);
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const crowd = crowdOf(t, word(t.crowded, i));
+    crowd.given -= min<f64>(crowd.energy, crowd.energyBefore);
+  }
   measure(t);
   for (let i = 0; i < t.crowdedCount; i++) {
     const crowd = crowdOf(t, word(t.crowded, i));
+    crowd.given += crowd.energy;
     crowd.energyBefore = crowd.energy;
     crowd.fastestBefore = crowd.fastest;
   }
@@ -214,6 +222,17 @@ export function limitCrowdEnergies(table: usize): void {
     const row = word(t.crowded, i);
     const crowd = crowdOf(t, islandOf(t, row));
     if (crowd.energy > crowd.energyBefore) scale(t, row, crowd, sqrt<f64>(crowd.energyBefore / crowd.energy));
+  }
+}
+
+// When all has bounced: bounds the energy.
+export function limitCrowdBounces(table: usize): void {
+  const t = changetype<RigidTable>(table);
+  measure(t);
+  for (let i = 0; i < t.crowdedCount; i++) {
+    const row = word(t.crowded, i);
+    const crowd = crowdOf(t, islandOf(t, row));
+    if (crowd.energy > crowd.given) scale(t, row, crowd, sqrt<f64>(max<f64>(0, crowd.given) / crowd.energy));
   }
 }
 

@@ -2,7 +2,7 @@
 import { LANES, at as laneOffset } from '../../memory/lanes';
 import { clearRecord } from '../../memory/records';
 import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
-import { FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { FORESEEN, IS_DEEP, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
@@ -51,10 +51,10 @@ export function prepareContacts(table: usize): void {
     store<real>(lane, single ? <real>(softness.biasRate * softness.massScale) : biasRate, block.BIAS_RATE);
     store<real>(lane, single ? <real>softness.massScale : massScale, block.MASS_SCALE);
     store<real>(lane, single ? <real>softness.impulseScale : impulseScale, block.IMPULSE_SCALE);
+    noteDepth(t, contact);
     fillBodies(t, contact, at, l);
     for (let p = 0; p < contact.count; p++) fillPoint(t, contact, lane, p);
     if (contact.restitution != 0) t.bouncyCount++;
-    noteDepth(t, contact);
   }
   finishBlocks(t);
 }
@@ -107,7 +107,8 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, contact.tangentSpeed, block.TANGENT_SPEED);
   store<real>(lane, contact.rollingResistance, block.ROLLING);
   store<real>(lane, contact.rollingImpulse, block.ROLLING_IMPULSE);
-  store<real>(lane, contact.restitution, block.RESTITUTION);
+  // What was put into each other is pushed apart, and does not bounce.
+  store<real>(lane, (contact.flags & IS_DEEP) != 0 ? <real>0 : contact.restitution, block.RESTITUTION);
   store<real>(lane, roundingAt(t, contact.a), block.ROUNDING_A);
   store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
 }

@@ -19,9 +19,10 @@ export function findRigidPairs(table: usize): void {
   if (t.enlargedCount == 0 && t.staticTreeValid != 0 && t.movingTreeValid != 0) return;
   updateStaticTree(t);
   updateMovingTree(t);
+  // Where there is no room for all pairs, those of bodies that move go: what stands still must hold.
   if (t.movingNodeCount > 0) {
-    findWithin(t, t.movingNodes, 0);
     if (t.staticNodeCount > 0) findBetween(t, t.movingNodes, 0, t.staticNodes, 0);
+    findWithin(t, t.movingNodes, 0);
   }
   sortKeys(t.pairs, t.sortedPairs, t.pairCount);
   addContacts(t);

@@ -1,10 +1,13 @@
 // The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers.
 import { clearRecord } from '../../../memory/records';
 import { keyAt } from '../../broad-phase/2d/sort-keys';
-import { SENSOR, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { MOVES, SENSOR, flagsOf, putWord, word } from '../../../solver/2d/body';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { RIGID_CONTACT_SIZE, RigidContact, SENSES, SENSOR_IS_B, contactAt } from './rigid-contact';
+
+// Part of the room for contacts that is kept for bodies and what does not move.
+const STATIC_PART: i32 = 8;
 
 // Adds a contact for every new pair of t.pairs, which is sorted. The list is merged from its end, so that it needs no room.
 export function addContacts(t: RigidTable): void {
@@ -31,12 +34,13 @@ function dropKnown(t: RigidTable): i32 {
   let kept = 0;
   let at = 0;
   let last: u64 = 0;
+  const roomOfMoving = t.freeCount - t.contactCapacity / STATIC_PART;
   for (let i = 0; i < t.pairCount; i++) {
     const key = keyAt(t.pairs, i);
     while (at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) < key) at++;
     if (key == last || (at < t.contactCount && isContactOf(t, contactAt(t, word(t.order, at)), key))) continue;
     last = key;
-    if (kept == t.freeCount) {
+    if (kept == t.freeCount || (kept >= roomOfMoving && bothMove(t, key))) {
       t.droppedCount++;
     } else {
       store<u64>(t.pairs + ((<usize>kept) << 3), key);
@@ -44,6 +48,11 @@ function dropKnown(t: RigidTable): i32 {
     }
   }
   return kept;
+}
+
+// @ts-ignore: decorator
+@inline function bothMove(t: RigidTable, key: u64): bool {
+  return (flagsOf(t, <i32>(key >> 32)) & flagsOf(t, <i32>key) & MOVES) != 0;
 }
 
 // @ts-ignore: decorator
