@@ -17,8 +17,8 @@ export { holdLocked } from '../solver/2d/motion-locks';
 export { writeParts } from '../solver/2d/parts';
 export { colorContacts } from '../solver/2d/color-contacts';
 export {
+  endCrowds,
   findCrowds,
-  limitCrowdBounces,
   limitCrowdEnergies,
   limitCrowdSpeeds,
   measureCrowds,

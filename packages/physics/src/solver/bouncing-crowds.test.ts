@@ -1,9 +1,8 @@
 // Bodies that were put in one place and bounce: they part as those that do not, and what stands still holds them.
 import { box, capsule, contactEvents, spawn, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { DT, rigidWorld } from '../../../../test/support/rigid-world.ts';
+import { DT, G, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
-const GRAVITY = 10;
 /** Default of `softStep({ contactSpeed })`, m/s. */
 const PUSHED = 3;
 
@@ -29,7 +28,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
         for (const id of ids) fastest = Math.max(fastest, Math.hypot(Velocity.x[id], Velocity.y[id]));
       }
       // What falls from 0.8 m and is pushed out of another at the same time.
-      expect(fastest).toBeLessThan(Math.sqrt(2 * GRAVITY * 0.8) + PUSHED);
+      expect(fastest).toBeLessThan(Math.sqrt(2 * G * 0.8) + PUSHED);
     },
   );
 

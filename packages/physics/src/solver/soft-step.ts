@@ -160,6 +160,7 @@ function advance(
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
   words[Word.joints] = joints;
   words[Word.linkCount] = 0;
+  words[Word.loopCount] = 0;
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
   if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
@@ -188,11 +189,9 @@ function advance(
     if (crowded) kernels.limitCrowdEnergies(at);
     if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
   }
-  if (kernels.applyRestitution(at) > 0) {
-    // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
-    if (joints !== 0) kernels.relaxLocks(joints);
-    if (crowded) kernels.limitCrowdBounces(at);
-  }
+  // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
+  if (kernels.applyRestitution(at) > 0 && joints !== 0) kernels.relaxLocks(joints);
+  if (crowded) kernels.endCrowds(at);
   kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);

@@ -3,14 +3,15 @@
 // finds no color is solved by itself.
 import { get, put } from '../../memory/columns';
 import { LANES, splat } from '../../memory/lanes';
-import { BodyPose, poseOf, putWord, stateOf, word } from '../../solver/2d/body';
+import { BodyPose, LOOPED, flagsOf, poseOf, putFlags, putWord, stateOf, word } from '../../solver/2d/body';
+import { UNLIKE } from '../../solver/2d/crowds';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { JointedBody, jointed, keepVelocity, stiffen } from './brace-joints';
 import { bend } from './chords';
 import { JointTable, impulsesOf } from './joint-table';
-import { LOOP } from './joint-trees';
-import { isPlainHinge } from './list-active';
+import { LOOP, PARENT_A, PARENT_B } from './joint-trees';
+import { LOCKS, ROPE, isPlainHinge } from './list-active';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
 
@@ -39,6 +40,36 @@ export function colorLoops(t: JointTable): void {
     putWord(t.colors, color, lane + 1);
     putWord(t.parents, i, FIRST + lane);
   }
+}
+
+// Marks the bodies at the ends of joints that close loops (crowds.ts).
+export function markLoops(t: JointTable, rigid: RigidTable): void {
+  rigid.loopCount = 0;
+  if (t.treeCount == t.activeCount || !haveUnlikeMasses(t, rigid)) return;
+  for (let i = 0; i < t.activeCount; i++) {
+    const parent = word(t.parents, i);
+    if (parent == PARENT_A || parent == PARENT_B || (word(t.roles, i) & (LOCKS | ROPE)) == 0) continue;
+    rigid.loopCount++;
+    markEnd(rigid, word(t.nodes, 2 * i));
+    markEnd(rigid, word(t.nodes, 2 * i + 1));
+  }
+}
+
+// Whether any two bodies of all trees have masses that are unlike.
+function haveUnlikeMasses(t: JointTable, rigid: RigidTable): bool {
+  let least: real = Infinity;
+  let most: real = 0;
+  for (let i = 0; i < t.bodyCount; i++) {
+    const inverseMass = poseOf(rigid, word(t.bodyRows, i)).inverseMass;
+    if (inverseMass > 0) least = min<real>(least, inverseMass);
+    most = max<real>(most, inverseMass);
+  }
+  return most > <real>UNLIKE * least;
+}
+
+// @ts-ignore: decorator
+@inline function markEnd(rigid: RigidTable, row: i32): void {
+  if (row != 0) putFlags(rigid, row, flagsOf(rigid, row) | LOOPED);
 }
 
 // A hinge that closes a loop has two bodies that move.

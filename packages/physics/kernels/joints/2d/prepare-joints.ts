@@ -5,7 +5,7 @@ import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { articulated } from './articulated-body';
 import { braceBodies, jointed, keepVelocity, startJointed, stiffen } from './brace-joints';
-import { beginLoops, braceLoops } from './color-loops';
+import { beginLoops, braceLoops, markLoops } from './color-loops';
 import { DISTANCE, JointTable, MOTOR, impulsesOf } from './joint-table';
 import { PARENT_B } from './joint-trees';
 import { JointWork, PLAIN, placeAt, startAt, workAt } from './joint-work';
@@ -21,6 +21,7 @@ export function prepareJoints(table: usize): void {
   rigid.links = t.links;
   wakeJoined(t, rigid);
   if (listActive(t, rigid)) layOutJoints(t, rigid);
+  markLoops(t, rigid);
   for (let i = 0; i < t.bodyCount; i++) {
     const row = word(t.bodyRows, i);
     startJointed(t, rigid, row);

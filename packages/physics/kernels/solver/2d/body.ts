@@ -74,6 +74,8 @@ export const DRIVEN: u32 = 524288;
 export const TO_SLEEP: u32 = 1048576;
 // A joint holds it in this step.
 export const JOINED: u32 = 2097152;
+// It is at an end of a joint that closes a loop.
+export const LOOPED: u32 = 4194304;
 
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 

@@ -1,13 +1,19 @@
-// Crowds: islands in which bodies were put into each other. Each contact pushes its two bodies apart at a bounded speed, but
-// the pushes of many layers add up, and one relaxing pass cannot take back what they gave. So in a sub-step of a crowd
+// Islands whose kinetic energy is bounded.
+//
+// Crowds: bodies that were put into each other. Each contact pushes its two bodies apart at a bounded speed, but the pushes of
+// many layers add up, and one relaxing pass cannot take back what they gave. So in a sub-step of a crowd
 //
 //   before positions change   no body is faster than overlap is pushed out, nor than the fastest before contacts were solved
 //   when all is relaxed       the kinetic energy is at most what it was before: contacts give none
-//   when all has bounced      the kinetic energy is at most that of the start of the step and what forces gave in it
 //
-// all about the centre of mass, or about the ground if the crowd touches it. Velocities are scaled about it all alike, which
-// conserves momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that something
-// drives, a motor, a spring, a belt or a kinematic body, may gain energy and stay as they are.
+// Loops of joints between bodies of unlike masses: a joint that closes a loop begins a sub-step with what it exerted in the last
+// one (solve-loops.ts), which may be far off where a light body swings a heavy one. Of both, at the end of a step
+//
+//   when all has bounced      the kinetic energy is at most that of the start and what forces gave since
+//
+// Speeds are about the centre of mass, or about the ground if the island touches it, and are scaled all alike, which conserves
+// momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that something drives, a motor, a
+// spring, a belt or a kinematic body, may gain energy and stay as they are.
 import {
   ContactPoint,
   IS_DEEP,
@@ -16,7 +22,7 @@ import {
   contactAt,
   pointOf,
 } from '../../collision/narrow-phase/2d/rigid-contact';
-import { DRIVEN, DYNAMIC, KINEMATIC, LOCKED, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { DRIVEN, DYNAMIC, KINEMATIC, LOCKED, LOOPED, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { islandOf, labelIslands } from './islands';
 import { RigidTable } from './rigid-table';
 
@@ -28,6 +34,9 @@ const FLAT: real = 0.05;
 // Minimum number of deep contacts of a crowd, and maximum number of its bodies for each: in larger heaps pushes are absorbed.
 const FEWEST: i32 = 2;
 const BODIES: i32 = 50;
+
+// Masses of a loop are unlike from this ratio on.
+export const UNLIKE: f64 = 10;
 
 // What is known of an island, in the record of its first row. Speeds and energies are about its frame.
 @unmanaged
@@ -43,8 +52,13 @@ export class Crowd {
   fastest: f64;
   // Kinetic energy of the start of the step and what forces gave since, J.
   given: f64;
+  // The masses of the lightest and of the heaviest body, kg.
+  lightest: f64;
+  heaviest: f64;
   bodies: i32;
   deepContacts: i32;
+  // Ends of joints that close loops.
+  loopEnds: i32;
   // Whether it touches what does not move, and whether something drives it.
   anchored: i32;
   driven: i32;
@@ -99,7 +113,7 @@ function normalSpeed(t: RigidTable, contact: RigidContact, point: ContactPoint):
 export function findCrowds(table: usize): i32 {
   const t = changetype<RigidTable>(table);
   t.crowdedCount = 0;
-  if (t.deepCount < FEWEST) return 0;
+  if (t.deepCount < FEWEST && t.loopCount == 0) return 0;
   labelIslands(table);
   for (let i = 0; i < t.awakeCount; i++) memory.fill(changetype<usize>(crowdOf(t, word(t.awake, i))), 0, SIZE);
   for (let i = 0; i < t.touchingCount; i++) noteContact(t, contactAt(t, word(t.touching, 2 * i)));
@@ -115,14 +129,23 @@ export function findCrowds(table: usize): i32 {
 
 // @ts-ignore: decorator
 @inline function isCrowd(crowd: Crowd): bool {
-  return crowd.driven == 0 && crowd.deepContacts >= max<i32>(FEWEST, crowd.bodies / BODIES);
+  return crowd.driven == 0 && (isDeepCrowd(crowd) || (crowd.loopEnds > 0 && crowd.heaviest > UNLIKE * crowd.lightest));
+}
+
+// @ts-ignore: decorator
+@inline function isDeepCrowd(crowd: Crowd): bool {
+  return crowd.deepContacts >= max<i32>(FEWEST, crowd.bodies / BODIES);
 }
 
 function noteBody(t: RigidTable, row: i32): void {
   const flags = flagsOf(t, row);
   if ((flags & DYNAMIC) == 0) return;
   const crowd = crowdOf(t, islandOf(t, row));
+  const mass = 1 / <f64>poseOf(t, row).inverseMass;
+  crowd.lightest = crowd.bodies == 0 ? mass : min<f64>(crowd.lightest, mass);
+  crowd.heaviest = max<f64>(crowd.heaviest, mass);
   crowd.bodies++;
+  if ((flags & LOOPED) != 0) crowd.loopEnds++;
   if ((flags & DRIVEN) != 0) crowd.driven = 1;
   if ((flags & LOCKED) != 0) crowd.anchored = 1;
 }
@@ -149,7 +172,7 @@ export function measureCrowds(table: usize): void {
   findFrames(t);
   for (let i = 0; i < t.crowdedCount; i++) {
     const crowd = crowdOf(t, word(t.crowded, i));
-    crowd.given -= min<f64>(crowd.energy, crowd.energyBefore);
+    crowd.given -= isDeepCrowd(crowd) ? min<f64>(crowd.energy, crowd.energyBefore) : crowd.energy;
   }
   measure(t);
   for (let i = 0; i < t.crowdedCount; i++) {
@@ -210,7 +233,7 @@ export function limitCrowdSpeeds(table: usize): void {
     const row = word(t.crowded, i);
     const crowd = crowdOf(t, islandOf(t, row));
     const bound = max<f64>(crowd.fastestBefore, pushed);
-    if (crowd.fastest > bound) scale(t, row, crowd, sqrt<f64>(bound / crowd.fastest));
+    if (isDeepCrowd(crowd) && crowd.fastest > bound) scale(t, row, crowd, sqrt<f64>(bound / crowd.fastest));
   }
 }
 
@@ -221,12 +244,13 @@ export function limitCrowdEnergies(table: usize): void {
   for (let i = 0; i < t.crowdedCount; i++) {
     const row = word(t.crowded, i);
     const crowd = crowdOf(t, islandOf(t, row));
-    if (crowd.energy > crowd.energyBefore) scale(t, row, crowd, sqrt<f64>(crowd.energyBefore / crowd.energy));
+    if (isDeepCrowd(crowd) && crowd.energy > crowd.energyBefore)
+      scale(t, row, crowd, sqrt<f64>(crowd.energyBefore / crowd.energy));
   }
 }
 
-// When all has bounced: bounds the energy.
-export function limitCrowdBounces(table: usize): void {
+// Ends the step, when all has bounced: bounds the energy.
+export function endCrowds(table: usize): void {
   const t = changetype<RigidTable>(table);
   measure(t);
   for (let i = 0; i < t.crowdedCount; i++) {

@@ -170,6 +170,8 @@ export class RigidTable {
   visits: usize;
   pushes: usize;
   fastest: usize;
+  // Joints that close loops in this step.
+  loopCount: i32;
   // Contacts of deep overlap in this step; by row: class Crowd; the rows of the bodies in crowds, ascending (crowds.ts).
   deepCount: i32;
   crowds: usize;
