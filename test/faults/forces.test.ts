@@ -127,6 +127,31 @@ describe.each(KINDS)('forces, $dimensions D $precision', (kind) => {
     assertWorldAlive(world);
   });
 
+  it('a force that adds forces ends: these act from the next step on', () => {
+    const world = createPhysicsWorld({ ...kind, capacity: 100 });
+    ball(world, 0, 5);
+    let calls = 0;
+    const growing = defineForce({
+      name: 'growing',
+      accumulate() {
+        calls++;
+        if (world.forces.length < 100) world.forces.push(growing);
+      },
+    });
+    world.forces.push(growing);
+    step(world, DT);
+    expect(calls).toBeLessThan(100);
+  });
+
+  it.each([
+    ['a name that is misspelt', { appliesTorqe: true }, 'E_UNKNOWN'],
+    ['a flag that is a text', { local: 'no' }, 'E_TYPE'],
+    ['a potential that is a number', { potential: 5 }, 'E_TYPE'],
+  ])('defineForce refuses %s', (_, options, code) => {
+    const force = { name: 'f', accumulate() {}, ...options } as Parameters<typeof defineForce>[0];
+    expect(refusal(() => defineForce(force)).code).toBe(code);
+  });
+
   it('23 a million exceptions per step are counted, not stored', () => {
     const world = createPhysicsWorld({ ...kind, capacity: 100 });
     ball(world, 0, 5);

@@ -185,6 +185,20 @@ describe('time', () => {
     expect(world.time + runner.droppedTime + runner.alpha * runner.dt).toBeCloseTo(25, 9);
   });
 
+  it('a runner inside its own afterStep is refused, and runs on at the next call', () => {
+    const world = bouncing();
+    let inner: string | undefined;
+    const runner = createRunner(world, {
+      afterStep: () => {
+        inner = refusal(() => runner.advance(1)).code;
+      },
+    });
+    expect(runner.advance(1 / 60)).toBe(1);
+    expect(inner).toBe('E_REENTRANT');
+    expect(runner.advance(1 / 30)).toBe(2);
+    expect(world.tick).toBe(3);
+  });
+
   it('a runner during a step is refused, and stops if its world is destroyed in a step', () => {
     const world = bouncing();
     const runner = createRunner(world);

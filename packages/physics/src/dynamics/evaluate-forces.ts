@@ -51,8 +51,12 @@ export function sumForces(world: PhysicsWorld, ranges: Ranges, time: number): vo
 /** Clears the columns and calls every force that is not a law. */
 function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
   for (let r = 0; r < ranges.count; r++) clearForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
-  for (const each of world.forces) {
-    if (each.accumulate === undefined) continue;
+  // A force that is added meanwhile waits for the next step: one that adds forces would never end.
+  const { forces } = world;
+  const count = forces.length;
+  for (let f = 0; f < count; f++) {
+    const each = forces[f];
+    if (each?.accumulate === undefined) continue;
     if (!each.local) accumulateRows(world, each, 0, world.internal.sweptRows, time);
     else
       for (let r = 0; r < ranges.count; r++) {

@@ -1,5 +1,5 @@
 import type { ComponentName } from '../components/all.ts';
-import { checkHas } from '../errors/validate.ts';
+import { checkFlag, checkFunction, checkHas, checkKeys } from '../errors/validate.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 
 /** The description of a custom force in plain TypeScript. */
@@ -22,12 +22,27 @@ export interface CustomForce {
   evaluationWork?(world: PhysicsWorld): number;
 }
 
+const KEYS = [
+  'name',
+  'equation',
+  'reads',
+  'local',
+  'readsOfOthers',
+  'appliesTorque',
+  'prepare',
+  'accumulate',
+  'potential',
+  'evaluationWork',
+];
+
 /**
  * Defines a custom force in plain TypeScript. `accumulate` adds newtons to `world.scratch.force.x[eid]` for each row in
  * [first, last); rows without a body hold zeros and need no test.
+ * @throws PhysicsError E_TYPE, E_UNKNOWN
  */
 export function defineForce(force: CustomForce): Force {
   checkHas(force, 'accumulate', 'defineForce: force', 'Give { name, accumulate(world, first, last, time) { … } }.');
+  checkKeys(force, 'defineForce', KEYS);
   const {
     name,
     equation = '',
@@ -40,6 +55,11 @@ export function defineForce(force: CustomForce): Force {
     potential,
     evaluationWork,
   } = force;
+  checkFlag(local, 'defineForce: local');
+  checkFlag(appliesTorque, 'defineForce: appliesTorque');
+  for (const [key, value] of Object.entries({ prepare, potential, evaluationWork })) {
+    if (value !== undefined) checkFunction(value, `defineForce: ${key}`);
+  }
   return {
     name,
     equation,

@@ -1,5 +1,6 @@
 import { warnAboutDuration } from '#warnings';
 import { assertIdle, assertUsable } from '../ecs/guards.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber, mustBe } from '../errors/validate.ts';
 import { MAX_DT, MIN_DT, step } from './step.ts';
 import type { PhysicsWorld } from './types.ts';
@@ -36,7 +37,8 @@ export interface Runner {
    * Runs the steps that fit into `elapsed` seconds of real time. If user code throws in a step, the remaining steps of
    * this frame run at the next call.
    * @returns the number of steps
-   * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for an invalid or negative time; and whatever `step` throws
+   * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for an invalid or negative time; E_REENTRANT inside a step or
+   *   `afterStep`; and whatever `step` throws
    */
   advance(elapsed: number): number;
 }
@@ -52,6 +54,7 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
   const { dt, maxFrame, afterStep } = checkOptions(options);
   // The times are in a typed array, because a captured variable would allocate a heap number per frame.
   const times = new Float64Array(3);
+  let isAdvancing = false;
   warnAboutDuration(world, dt, 'createRunner: dt');
   return {
     dt,
@@ -63,6 +66,11 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
     },
     advance(elapsed) {
       assertIdle(world, 'advance');
+      if (isAdvancing) {
+        throw new PhysicsError('E_REENTRANT', 'advance must not be called inside afterStep.', {
+          hint: 'Call `step(world, dt)` there, or advance after this call.',
+        });
+      }
       checkNumber(elapsed, 'elapsed', NOT_NEGATIVE);
       // A single long frame means that the page was hidden; two in a row suggest times in milliseconds.
       if (times[LAST_FRAME] > 1 && dt < 1) warnAboutDuration(world, elapsed, 'advance');
@@ -75,11 +83,16 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
       let steps = 0;
       // A sum of frame times such as 1/30 + 1/30 may be below 4/60 by rounding, which must not lose a step.
       const threshold = dt * (1 - 1e-9);
-      while (times[ACCUMULATED] >= threshold && world.state === 'idle') {
-        times[ACCUMULATED] = Math.max(0, times[ACCUMULATED] - dt);
-        step(world, dt);
-        steps++;
-        afterStep?.(world);
+      isAdvancing = true;
+      try {
+        while (times[ACCUMULATED] >= threshold && world.state === 'idle') {
+          times[ACCUMULATED] = Math.max(0, times[ACCUMULATED] - dt);
+          step(world, dt);
+          steps++;
+          afterStep?.(world);
+        }
+      } finally {
+        isAdvancing = false;
       }
       return steps;
     },
