@@ -13,6 +13,7 @@
 // iteration, of which two or three suffice.
 import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
+import { solveDualChain } from './dual-chain';
 import { packBody } from './nodes';
 import { solveRow } from './sweep';
 import { isTaut, solveTautChain } from './taut-chain';
@@ -45,7 +46,7 @@ class Link {
   rhs: f64;
   pivot: f64;
   active: f64;
-  // The unknown: the change of the tension.
+  // The unknown: the change of the tension; after the velocities are solved, the impulse that it took, N s.
   change: f64;
 }
 
@@ -61,8 +62,9 @@ const TOLERANCE: f64 = 1e-3;
 const ROUNDING_TOLERANCE: f64 = 1e-5;
 
 // Solves every chain to the precision of `real`. A chain that turns too sharply within the sub-step is solved as a
-// taut chain; if that fails too, it is swept row by row, up and down, `iterations` times, which stretches the chain
-// but is always stable.
+// taut chain, and if that does not converge, as with heavy loads on light nodes, by its dual. If that fails too, as
+// between anchors that are too far apart, it is swept row by row, up and down, `iterations` times, which stretches the
+// chain but is always stable.
 export function solveChains(table: usize, iterations: i32, h: f64): void {
   const t = tableAt(table);
   for (let chain = 0; chain < t.chainCount; chain++) {
@@ -73,6 +75,7 @@ export function solveChains(table: usize, iterations: i32, h: f64): void {
       restoreBodies(t, first, last);
     }
     if (solveTautChain(t, first, last)) continue;
+    if (solveDualChain(t, first, last)) continue;
     restoreBodies(t, first, last);
     for (let i = 0; i < iterations; i++) {
       for (let row = first; row < last; row++) solveRow(t, row);
@@ -279,11 +282,18 @@ export function solveChainVelocities(table: usize): void {
   }
 }
 
+// The impulse of a row in the last sub-step times h. Under RATTLE the correction of the positions, which `tension` holds,
+// is about half of it, and that of the velocities the rest.
+export function rodImpulse(t: ConstraintTable, row: i32, h: f64): f64 {
+  return <f64>get(t.tension, row) + h * linkOf(t, row).change;
+}
+
 function applyChainImpulses(t: ConstraintTable, first: i32, last: i32): void {
   let next: f64 = 0;
   for (let row = last - 1; row >= first; row--) {
     const link = linkOf(t, row);
     next = link.active > 0 ? link.rhs - link.upper * next : 0;
+    link.change = next;
     if (next == 0) continue;
     applyImpulse(t, word(t.a, row), link, next);
     applyImpulse(t, word(t.b, row), link, -next);

@@ -2,6 +2,7 @@
 import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
 import { ConstraintTable, RIGID, putWord, tableAt, word } from './table';
+import { rodImpulse } from './chain';
 import { invalidateChecksum, updateChecksum } from './checksum';
 
 // The stiffness and inverse masses of the last row, and the coefficients that follow from them: most rows of a soft
@@ -103,7 +104,9 @@ export function findBroken(table: usize, h: f64): i32 {
     const spring = word(t.springIds, row);
     if (spring == 0) continue;
     const limit = <f64>get(t.breakForce, spring);
-    if (limit > 0 && <f64>get(t.tension, row) > limit * h * h) putWord(t.broken, count++, spring);
+    if (limit == 0) continue;
+    const tension = t.onlyRodChains != 0 ? rodImpulse(t, row, h) : <f64>get(t.tension, row);
+    if (tension > limit * h * h) putWord(t.broken, count++, spring);
   }
   return count;
 }

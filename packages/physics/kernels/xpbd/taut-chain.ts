@@ -15,6 +15,7 @@
 // angular frequency w loses about w^2 h/2 of its amplitude per second. Cost: 250 operations per link and iteration,
 // of two to four.
 import { get, put } from '../memory/columns';
+import { Symmetric, invert } from './symmetric';
 import { ConstraintTable, isTensionOnly, packedAt, packedComponent, putPackedComponent, word } from './table';
 
 // Bytes of scratch memory per body of a chain.
@@ -24,7 +25,7 @@ const NODE_BYTES: usize = 232;
 const MIN_ITERATIONS: i32 = 2;
 const MAX_ITERATIONS: i32 = 12;
 // The maximum relative length error of an accepted solution.
-const TOLERANCE: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-5;
 // Minimum compliance times mass: a body on a rod from an anchor moves by no more than rounding.
 const MIN_COMPLIANCE: f64 = 1e-12;
 // Transverse stiffness over mass below which it is neglected.
@@ -214,17 +215,6 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   invert(stiffnessOf(node), xx, xy, xz, yy, yz, zz);
 }
 
-// A symmetric matrix, laid out as in a node.
-@unmanaged
-class Symmetric {
-  xx: f64;
-  xy: f64;
-  xz: f64;
-  yy: f64;
-  yz: f64;
-  zz: f64;
-}
-
 // @ts-ignore: decorator
 @inline function mobilityOf(node: Node): Symmetric {
   return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('xx'));
@@ -233,26 +223,6 @@ class Symmetric {
 // @ts-ignore: decorator
 @inline function stiffnessOf(node: Node): Symmetric {
   return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('sxx'));
-}
-
-// Inverts a positive definite matrix by its factors L D L'. If one direction is 1e9 times as stiff as the others, the
-// determinant of the cofactor formula would be rounding error only.
-// @ts-ignore: decorator
-@inline function invert(to: Symmetric, xx: f64, xy: f64, xz: f64, yy: f64, yz: f64, zz: f64): void {
-  const a = 1 / xx;
-  const yx = xy * a;
-  const zx = xz * a;
-  const b = 1 / (yy - yx * xy);
-  const reducedZy = yz - zx * xy;
-  const zy = reducedZy * b;
-  const c = 1 / (zz - zx * xz - zy * reducedZy);
-  const back = yx * zy - zx;
-  to.zz = c;
-  to.yz = -zy * c;
-  to.yy = b + zy * zy * c;
-  to.xz = back * c;
-  to.xy = -yx * b - back * zy * c;
-  to.xx = a + yx * yx * b + back * back * c;
 }
 
 // Adds S and the right-hand side of the row above to a body.

@@ -1,7 +1,7 @@
 // Removes springs whose tension exceeds their `breakForce` at the end of a step.
 //
-// The tension is that at the end of the step: of the constraint under `xpbd`, k (d - L) by Hooke's law under the
-// force `springs()`. The energy of a broken spring is lost. Cost: one comparison per spring and step, and none if no
+// The tension is that at the end of the step: under `xpbd` the mean of the constraint's over the last sub-step, its
+// impulse over h; k (d - L) by Hooke's law under the force `springs()`. The energy of a broken spring is lost. Cost: one comparison per spring and step, and none if no
 // spring can break.
 import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';

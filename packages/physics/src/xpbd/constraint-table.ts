@@ -100,8 +100,8 @@ export function allocateRows(world: PhysicsWorld, table: ConstraintTable): void 
   table.capacity = capacity;
 }
 
-/** Scratch bytes per body of a chain (kernels/xpbd/taut-chain.ts), and per node of a batch of polylines. */
-const CHAIN_BYTES = 232;
+/** Scratch bytes per body of a chain (kernels/xpbd/dual-chain.ts), and per node of a batch of polylines. */
+const CHAIN_BYTES = 376;
 const BATCH_BYTES = 192;
 
 /** Allocates scratch memory for `chained` rows of chains, or for the longest batch. @throws PhysicsError E_CAPACITY */
