@@ -10,6 +10,7 @@
 // The files are in kernels/particle-contacts. The restitution of a contact is the larger of the two bodies', its
 // friction coefficient their geometric mean, as for walls. Contacts are found at the end of the step: bodies that pass
 // through each other within one step, at a relative speed above the sum of their diameters per step, do not collide.
+// The ends of a spring shorter than the sum of their radii do not collide: the spring holds them in each other.
 // Cost: `npm run bench -- circles --peers`, which also measures the same scene in plain JavaScript.
 
 import { namedResource } from '../memory/resource.ts';
@@ -34,6 +35,8 @@ export const collideBodies: LocalSystem = {
     kernels.beginContacts();
     kernels.findPairs(internal.sweptRows, world.dimensions);
     kernels.sortContacts(lastId);
+    if (internal.counts.Spring > 0 && internal.springTable !== undefined)
+      kernels.omitLinked(internal.springTable(world));
     const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
     kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId, confined ? 1 : 0);
     if (confined) clampToSegments(world);

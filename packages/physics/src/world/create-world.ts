@@ -216,6 +216,7 @@ function initialInternals(components: Components) {
     templates: new Map(),
     recordsContacts: false,
     ending: false,
+    springTable: undefined,
     breaksSprings: false,
     isTrial: false,
     lastId: 0,

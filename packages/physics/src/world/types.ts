@@ -371,6 +371,8 @@ export interface WorldInternals {
   readonly templates: Map<number, Partial<Record<ComponentName, FieldValues>>>;
   /** The world is destroyed at the end of this step. */
   ending: boolean;
+  /** Returns the address of the record of springs, once there is one. */
+  springTable: ((world: PhysicsWorld) => number) | undefined;
   /** Whether `breakSprings` has run. */
   breaksSprings: boolean;
   /** True while the integrator attempts a state that it may reject: an invalid force is not a fault then. */

@@ -29,9 +29,13 @@ export const springTable = namedResource('spring table', (world): SpringTable =>
   words[Word.generations] = world.internal.generations.byteOffset;
   words[Word.rows] = world.rows;
   const maxima = numbers.subarray(SpringTableNumber.maxStiffness, SpringTableNumber.maxDamping + 1);
+  world.internal.springTable = addressOf;
   const passed = new Float64Array(3).fill(Number.NaN);
   return { at, words, maxima, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
 });
+
+/** A snapshot may drop the record: it is then made anew. */
+const addressOf = (world: PhysicsWorld) => springTable(world).at;
 
 /**
  * Lists the springs whose ends both live, and the largest stiffness: ends and stiffness may have been changed in
