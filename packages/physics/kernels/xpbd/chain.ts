@@ -15,6 +15,7 @@ import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
 import { solveDualChain } from './dual-chain';
 import { packBody } from './nodes';
+import { stretchBetweenAnchors } from './overstretched';
 import { solveRow } from './sweep';
 import { isTaut, solveTautChain } from './taut-chain';
 import {
@@ -62,9 +63,9 @@ const TOLERANCE: f64 = 1e-3;
 const ROUNDING_TOLERANCE: f64 = 1e-5;
 
 // Solves every chain to the precision of `real`. A chain that turns too sharply within the sub-step is solved as a
-// taut chain, and if that does not converge, as with heavy loads on light nodes, by its dual. If that fails too, as
-// between anchors that are too far apart, it is swept row by row, up and down, `iterations` times, which stretches the
-// chain but is always stable.
+// taut chain, and if that does not converge, as with heavy loads on light nodes, by its dual, unless its anchors are too
+// far apart. If that fails too, it is swept row by row, up and down, `iterations` times, which stretches the chain but
+// is always stable.
 export function solveChains(table: usize, iterations: i32, h: f64): void {
   const t = tableAt(table);
   for (let chain = 0; chain < t.chainCount; chain++) {
@@ -75,7 +76,7 @@ export function solveChains(table: usize, iterations: i32, h: f64): void {
       restoreBodies(t, first, last);
     }
     if (solveTautChain(t, first, last)) continue;
-    if (solveDualChain(t, first, last)) continue;
+    if (stretchBetweenAnchors(t, first, last) || solveDualChain(t, first, last)) continue;
     restoreBodies(t, first, last);
     for (let i = 0; i < iterations; i++) {
       for (let row = first; row < last; row++) solveRow(t, row);

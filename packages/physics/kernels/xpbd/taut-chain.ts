@@ -12,7 +12,7 @@
 //
 // All are sums of positive definite matrices: nothing cancels, however many links and however rigid. A chain of N
 // links with the start directions of chain.ts is unstable once N g h^2 exceeds a link. First order: a swing of
-// angular frequency w loses about w^2 h/2 of its amplitude per second. Cost: 250 operations per link and iteration,
+// angular frequency w loses about w^2 h/2 of its energy per second. Cost: 250 operations per link and iteration,
 // of two to four.
 import { get, put } from '../memory/columns';
 import { Symmetric, invert } from './symmetric';

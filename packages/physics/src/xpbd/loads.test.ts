@@ -98,3 +98,36 @@ describe('a rope of 1 g per node', () => {
     expect(maxStrain(w)).toBeLessThan(2e-5);
   });
 });
+
+describe('a rope between pins twice as far apart as it is long', () => {
+  const stretched = (breakForce: number) => {
+    const w = world('f64', 4, 9.81);
+    w.phases.finish.push(breakSprings);
+    const { nodes } = createRope(w, {
+      from: {},
+      to: { x: 4 },
+      length: 2,
+      nodes: 11,
+      mass: 1,
+      pins: 'both',
+      breakForce,
+    });
+    for (let s = 0; s < 60; s++) step(w, 1 / 60);
+    return { w, nodes };
+  };
+
+  test('shares the strain', () => {
+    const { w, nodes } = stretched(0);
+    // Positions of 4 m are rounded to 4e-16 m, a link is 0.2 m long.
+    for (const [i, node] of nodes.entries()) {
+      expect(w.components.Position.x[node]).toBeCloseTo(0.4 * i, 13);
+      expect(w.components.Position.y[node]).toBeCloseTo(0, 13);
+    }
+    expect(maxStrain(w)).toBeCloseTo(1, 12);
+    expect(w.faults.faults).toEqual([]);
+  });
+
+  test('breaks at any force', () => {
+    expect(brokenSprings(stretched(1e20).w).total).toBeGreaterThan(0);
+  });
+});
