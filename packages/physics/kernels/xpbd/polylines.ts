@@ -9,6 +9,9 @@ import { ConstraintTable, MAX_PASSES, putWord, word } from './table';
 // The minimum number of springs of a polyline: a direct solve of three gains nothing.
 const MIN_POLYLINE: i32 = 4;
 
+// Few springs may have up to this many padding rows, so that a single polyline, as of a rope with a branch, is a batch.
+const MAX_SMALL_PADDING: i32 = 4096;
+
 // The open batch: its number of polylines, and the springs of each. `t.broken` holds the first link of each polyline.
 let polylineCount: i32 = 0;
 let springsEach: i32 = 0;
@@ -25,7 +28,7 @@ export function findPolylines(t: ConstraintTable, movable: u32, lastId: i32): i3
   t.passCount = 1;
   putWord(t.passes, 0, 0);
   polylineCount = 0;
-  spare = links >> 1;
+  spare = max<i32>(links >> 1, min<i32>(3 * links, MAX_SMALL_PADDING));
   let polyline: u32 = 0;
   for (let link = 0; link < links; ) {
     const count = hasRow(t, link) ? 1 : countPolyline(t, link, links, movable, ++polyline);

@@ -12,8 +12,9 @@ import { constraintKernels } from './kernels.ts';
 
 /** Padding rows: at most three after the chains and three after the batches of polylines. */
 const PADDING_ROWS = 6;
-/** Padding rows in batches and groups, at most, per spring. */
+/** Padding rows in batches and groups, at most, per spring, and if there are few springs (kernels/xpbd/polylines.ts). */
 const MAX_PADDING_PER_SPRING = 0.5;
+const MAX_SMALL_PADDING = 4096;
 
 /** The maximum number of passes of polylines, plus one. */
 const PASSES = 16;
@@ -86,7 +87,8 @@ export function allocateRows(world: PhysicsWorld, table: ConstraintTable): void 
   const { arena, counts } = world.internal;
   if (counts.Spring <= table.capacity) return;
   const capacity = Math.min(world.rows, Math.max(64, Math.ceil(1.5 * counts.Spring)));
-  const rows = Math.ceil(capacity * (1 + MAX_PADDING_PER_SPRING)) + PADDING_ROWS;
+  const padding = Math.max(MAX_PADDING_PER_SPRING * capacity, Math.min(3 * capacity, MAX_SMALL_PADDING));
+  const rows = Math.ceil(capacity + padding) + PADDING_ROWS;
   const real = realBytes(world.precision);
   const allocateColumn = (bytes: number) => (word: Word) =>
     [word, allocate(arena, bytes, `${counts.Spring} springs as constraints`)] as const;

@@ -131,3 +131,30 @@ describe('a rope between pins twice as far apart as it is long', () => {
     expect(brokenSprings(stretched(1e20).w).total).toBeGreaterThan(0);
   });
 });
+
+test.each(['f32', 'f64'] as const)(
+  'a hub on eight ropes keeps their lengths with one iteration, in %s',
+  (precision) => {
+    const w = createPhysicsWorld({
+      precision,
+      capacity: 1000,
+      integrator: xpbd({ substeps: 4, iterations: 1 }),
+      forces: [uniformGravity(), springs()],
+    });
+    const hub = spawn(w, { position: {}, velocity: {}, mass: 5 });
+    for (let k = 0; k < 8; k++) {
+      const [x, y] = [Math.cos((k * Math.PI) / 4), Math.sin((k * Math.PI) / 4)];
+      const ends = { from: { x: 3 * x, y: 3 * y }, to: { x: 0.1 * x, y: 0.1 * y } };
+      const { nodes } = createRope(w, { ...ends, length: 3.2, nodes: 31, mass: 0.2 });
+      // The spring that joins the hub follows those of its rope, so that all are solved together.
+      spawn(w, { spring: { a: nodes[30], b: hub, length: 0.1, stiffness: Infinity } });
+    }
+    let strain = 0;
+    for (let s = 0; s < 300; s++) {
+      step(w, 1 / 60);
+      if (s > 200) strain = Math.max(strain, maxStrain(w));
+    }
+    // Polylines are iterated until lengths are within 0.4 %.
+    expect(strain).toBeLessThan(0.004);
+  },
+);
