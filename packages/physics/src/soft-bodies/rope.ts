@@ -2,10 +2,10 @@
 //
 // A rope of N links of stiffness k stretches like a single spring of stiffness k/N. Under `xpbd` it is a chain and
 // solved directly: an inextensible rope (stiffness Infinity) of thousands of links keeps its length to rounding in a
-// few sub-steps. `tethers` are for a rope that branches or joins a network and therefore is no chain: tension-only
-// springs over 2, 4, 8… links, and from every node to each pinned end (Kim, Chentanez, Müller: Long Range
-// Attachments, SCA 2012). A rope of fixed length satisfies all of them, so they carry its load without changing its
-// motion; but the rope is no longer solved directly.
+// few sub-steps. `tethers` are tension-only springs over 2, 4, 8… links, and from every node to each pinned end (Kim,
+// Chentanez, Müller: Long Range Attachments, SCA 2012). A rope of fixed length satisfies all of them, so they carry the
+// load of its own nodes without changing its motion; but the rope is no longer a chain. What hangs on it is held better
+// by a rope whose springs, and the spring to the load after them, are one sequence (xpbd.ts).
 
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
@@ -36,7 +36,8 @@ export interface RopeOptions extends SpringOptions {
   /** Links pull and never push; default false. */
   readonly tensionOnly?: boolean;
   /**
-   * Adds inextensible tension-only springs, about log2(nodes) per node, for a rope that is no chain; default false.
+   * Adds inextensible tension-only springs, about log2(nodes) per node, which help a rope that is no chain a little to
+   * bear its own weight, but not what hangs on it; default false.
    */
   readonly tethers?: boolean;
   /** The ends to pin; default 'start'. */

@@ -19,7 +19,8 @@
 // stable, at first order.
 //
 // In all other worlds, bodies with springs get their whole velocity change before the correction, which makes the
-// scheme first order there: it damps oscillations whose ω h is not small. Springs outside chains are solved by
+// scheme first order there: implicit Euler divides the energy of an oscillation by 1 + ω² h² in every sub-step, so that
+// exp(-ω² h t) of it is left after the time t. Springs outside chains are solved by
 // Gauss-Seidel iteration over polylines and single springs. A polyline is a run of four or more springs made in
 // sequence, each from the body where the previous one ended. It is solved directly, and implicitly if taut
 // (kernels/xpbd/polyline-batches.ts). Crossing polylines are solved in passes, the pass with the highest tension of
@@ -54,7 +55,8 @@ export interface XpbdOptions {
 }
 
 /**
- * Solves springs as constraints, of any stiffness up to Infinity.
+ * Solves springs as constraints, of any stiffness up to Infinity. Springs of finite stiffness are damped: about
+ * exp(-4π² h/T) of the energy of an oscillation is left after a period T, with h = dt / substeps.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function xpbd(options: XpbdOptions = {}): Integrator {
