@@ -5,6 +5,21 @@ import { cos, sin } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { assertJoint } from './assert-joint.ts';
 
+type JointKind = (typeof JOINT_KINDS)[number];
+
+/** What limits, springs and motors of a kind of joint act on. */
+const COORDINATES: Readonly<Record<JointKind, 'angle' | 'along the axis' | 'distance' | undefined>> = {
+  revolute: 'angle',
+  distance: 'distance',
+  weld: 'angle',
+  prismatic: 'along the axis',
+  wheel: 'along the axis',
+  motor: undefined,
+  pulley: undefined,
+  gear: undefined,
+  filter: undefined,
+};
+
 /**
  * Returns the coordinate that limits and motors of a joint act on: of `revolute` and `weld` the angle of b from a, rad, 0 as the
  * bodies were when they were joined; of `prismatic` and `wheel` the distance along the axis, m; of `distance` that of its
@@ -16,18 +31,22 @@ export function jointPosition(world: PhysicsWorld, joint: number): number {
   const { Joint, Rotation } = world.components;
   const [a, b] = [Joint.a[joint], Joint.b[joint]];
   const kind = JOINT_KINDS[Joint.kind[joint]];
-  if (kind === 'revolute' || kind === 'weld') return Rotation.angle[b] - Rotation.angle[a] - Joint.angle[joint];
+  const coordinate = COORDINATES[kind];
+  if (coordinate === undefined) throw withoutPosition(joint, kind);
+  if (coordinate === 'angle') return Rotation.angle[b] - Rotation.angle[a] - Joint.angle[joint];
   const { x, y } = betweenAnchors(world, joint);
-  if (kind === 'distance') return Math.sqrt(x * x + y * y);
-  if (kind === 'prismatic' || kind === 'wheel') {
-    const direction = Rotation.angle[a] + Joint.axis[joint];
-    return x * cos(direction) + y * sin(direction);
-  }
-  throw new PhysicsError('E_RANGE', `joint ${joint}, a ${kind} joint, has no position along or about one direction.`, {
+  if (coordinate === 'distance') return Math.sqrt(x * x + y * y);
+  const direction = Rotation.angle[a] + Joint.axis[joint];
+  return x * cos(direction) + y * sin(direction);
+}
+
+function withoutPosition(joint: number, kind: JointKind): PhysicsError {
+  const others = JOINT_KINDS.filter((name) => COORDINATES[name] !== undefined);
+  return new PhysicsError('E_RANGE', `joint ${joint}, a ${kind} joint, has no position along or about one direction.`, {
     entity: joint,
     field: 'joint',
     value: joint,
-    hint: 'Ask a revolute, weld, prismatic, wheel or distance joint.',
+    hint: `Ask a joint of one of these kinds: ${others.join(', ')}.`,
   });
 }
 

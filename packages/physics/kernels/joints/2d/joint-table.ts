@@ -141,6 +141,12 @@ export const PULLEY: u32 = 6;
 export const GEAR: u32 = 7;
 export const FILTER: u32 = 8;
 
+// A motor joint, pulley or gear is solved by code of its own, and has no spring, motor or limits along a free coordinate.
+// @ts-ignore: decorator
+@inline export function isSolvedApart(kind: u32): bool {
+  return kind == MOTOR || kind == PULLEY || kind == GEAR;
+}
+
 export const IMPULSES_SIZE: usize = offsetof<JointImpulses>();
 
 // Where the impulse of the i-th locked direction stands.

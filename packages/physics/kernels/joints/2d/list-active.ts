@@ -3,7 +3,7 @@
 import { get } from '../../memory/columns';
 import { LOCKED, MOVES, flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { DISTANCE, FILTER, IMPULSES_SIZE, JointTable, MOTOR, REVOLUTE, impulsesOf } from './joint-table';
+import { DISTANCE, FILTER, IMPULSES_SIZE, JointTable, REVOLUTE, impulsesOf, isSolvedApart } from './joint-table';
 
 // What a joint does: it locks directions; it is a hinge; it has a spring, a motor or limits, or is a motor joint, pulley or
 // gear.
@@ -75,7 +75,7 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
 // A rod with a spring locks nothing, and one with limits only while they bear.
 // @ts-ignore: decorator
 @inline function roleOf(t: JointTable, id: i32, kind: u32): i32 {
-  if (kind >= MOTOR) return SPECIAL;
+  if (isSolvedApart(kind)) return SPECIAL;
   let axes = 0;
   if (get(t.hertz, id) > 0) axes |= SPRING;
   if (get(t.maxMotor, id) > 0) axes |= POWERED;

@@ -6,7 +6,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { articulated } from './articulated-body';
 import { braceBodies, jointed, keepVelocity, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops, markLoops } from './color-loops';
-import { DISTANCE, JointTable, MOTOR, impulsesOf } from './joint-table';
+import { DISTANCE, JointTable, impulsesOf, isSolvedApart } from './joint-table';
 import { PARENT_B } from './joint-trees';
 import { JointWork, PLAIN, placeAt, startAt, workAt } from './joint-work';
 import { layOutJoints } from './lay-out-joints';
@@ -75,7 +75,7 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
 
 // Whether a joint may give energy. A motor that stands still only rubs.
 function isDriving(t: JointTable, work: JointWork): bool {
-  if (work.kind >= MOTOR) return true;
+  if (isSolvedApart(work.kind)) return true;
   if (work.hasAxes == 0) return false;
   return get(t.hertz, work.id) > 0 || (get(t.maxMotor, work.id) > 0 && get(t.motorSpeed, work.id) != 0);
 }

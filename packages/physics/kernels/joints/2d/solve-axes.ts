@@ -10,7 +10,7 @@ import { get } from '../../memory/columns';
 import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softenSpring, softness } from '../../solver/2d/softness';
-import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
+import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf, isSolvedApart } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
@@ -28,7 +28,7 @@ export function solveAxes(table: usize, soft: i32): void {
     const impulses = impulsesOf(t, work.id);
     if (work.kind == MOTOR) solveMotorJoint(t, work, impulses, rigid);
     if (work.kind == PULLEY || work.kind == GEAR) solveCoupling(t, work, impulses, soft != 0);
-    if (work.kind >= MOTOR) continue;
+    if (isSolvedApart(work.kind)) continue;
     if (get(t.hertz, work.id) > 0) solveSpring(t, work, a, b, impulses, rigid.h);
     if (get(t.maxMotor, work.id) > 0) solveMotor(t, work, a, b, impulses, rigid.h);
     if (word(t.hasLimits, work.id) != 0 && work.parent == LOOP) solveLimits(t, work, a, b, impulses, soft != 0);

@@ -7,7 +7,17 @@ import { stiffenByRod } from './brace-rods';
 import { keepVelocity, stiffen } from './brace-joints';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
-import { DISTANCE, GEAR, JointImpulses, JointTable, MOTOR, PULLEY, impulsesOf, lockAddress } from './joint-table';
+import {
+  DISTANCE,
+  GEAR,
+  JointImpulses,
+  JointTable,
+  MOTOR,
+  PULLEY,
+  impulsesOf,
+  isSolvedApart,
+  lockAddress,
+} from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, signOf, workAt } from './joint-work';
 
 // Sums over the rows of a joint: the impulse, N s, and the angular impulse, N m s, on b.
@@ -50,7 +60,7 @@ function sumAxes(work: JointWork, impulses: JointImpulses): void {
   // Of pulleys and gears one row belongs to b.
   if (work.kind == PULLEY) addImpulse(rowOf(work, SPRING_ROW), impulses.upper);
   if (work.kind == GEAR) addImpulse(rowOf(work, SPRING_ROW), impulses.lock0);
-  if (work.hasAxes == 0 || work.kind >= MOTOR) return;
+  if (work.hasAxes == 0 || isSolvedApart(work.kind)) return;
   addImpulse(rowOf(work, SPRING_ROW), impulses.spring + impulses.lower - impulses.upper);
   addImpulse(rowOf(work, MOTOR_ROW), impulses.motor);
 }
