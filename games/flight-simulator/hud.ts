@@ -28,7 +28,7 @@ const STYLES = `
 /* A page that is enlarged has little height: the aeroplane stays in sight. */
 @media (pointer: fine) and (max-height: 420px) { .fs-instruments { left: 6px; bottom: 6px; translate: none; scale: 0.62; transform-origin: 0 100% }
   .fs-task { top: 60px; padding: 3px 12px; font-size: 13px } }
-@media (max-width: 1100px) { .game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 144px); translate: -50% 0; bottom: 192px } }
+@media (max-width: 1100px) { .game:has(.game-side:not([hidden])) .fs-rudder { left: calc(50% - 144px); translate: -50% 0; bottom: 200px } }
 @media (max-width: 759px), (pointer: coarse) { .game:has(.game-side:not([hidden])) :is(.fs-task, .fs-instruments, .fs-rudder) { visibility: hidden } }
 `;
 

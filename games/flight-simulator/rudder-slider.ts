@@ -12,10 +12,11 @@ const STYLES = `
   background: #ffffff80; border: 1px solid #fff; box-sizing: border-box }
 .fs-rudder span { padding-bottom: 3px; opacity: .85; position: relative }
 .fs-rudder:focus-visible { outline: 2px solid #ffb454 }
-@media (pointer: fine) and (max-width: 760px) { .fs-rudder { left: 50%; translate: -50% 0; bottom: 192px } }
+@media (pointer: fine) and (max-width: 760px) { .fs-rudder { left: 50%; translate: -50% 0; bottom: 200px } }
 @media (pointer: fine) and (max-height: 420px) { .fs-rudder { left: auto; right: 8px; bottom: 8px; translate: none; width: 150px } }
 @media (pointer: coarse) { .fs-rudder { left: max(20px, env(safe-area-inset-left)); translate: none; bottom: max(24px, env(safe-area-inset-bottom)) } }
-@media (pointer: coarse) and (max-height: 500px) { .fs-rudder { left: 52%; translate: -50% 0; bottom: 8px } }
+/* Between the instruments, 254 px wide, and the pad. */
+@media (pointer: coarse) and (max-height: 500px) { .fs-rudder { left: max(52% - 86px, 268px); width: clamp(112px, 100% - 452px, 172px); bottom: 8px } }
 `;
 
 /** Within this part of the travel the pedals are even. */

@@ -9,7 +9,7 @@ const STYLE = `
   text-shadow: 0 1px 3px #001018, 0 0 8px #001018; font-variant-numeric: tabular-nums }
 /* Below the surface, where the ship is not; beside the button of a touch pad. */
 .sub-panel { position: absolute; left: 20px; bottom: 20px; display: grid; gap: 3px; justify-items: start; padding: 6px 12px; border-radius: 12px; background: #04182ab0 }
-.sub-goal { font-size: 17px } .sub-say { font-size: 13px; color: #ff9d8a; max-width: min(460px, 92vw) } .sub-say.tip { color: #e6f4ff }
+.sub-goal { font-size: 17px; max-width: min(460px, 92vw) } .sub-say { font-size: 13px; color: #ff9d8a; max-width: min(460px, 92vw) } .sub-say.tip { color: #e6f4ff }
 .sub-depth { font-size: 14px } .sub-gauges { display: grid; grid-template-columns: auto 120px; gap: 3px 10px; align-items: center; font-size: 12.5px }
 .sub-gauges i { height: 8px; border-radius: 4px; background: #ffffff24; position: relative; overflow: hidden }
 .sub-gauges i b { position: absolute; inset: 0; background: var(--c); transform-origin: 0; border-radius: 4px }
@@ -25,8 +25,9 @@ const STYLE = `
 /* A card says how it ended, and the settings cover what lies below them. */
 @media (max-width: 759px), (max-height: 479px) { .sub-hud.over .sub-panel { visibility: hidden } }
 @media (max-width: 759px) { .game:has(.game-side:not([hidden])) .sub-panel { visibility: hidden } }
-/* A window held upright has more sky than the ship is high. */
-@media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px } .sub-say { max-width: min(460px, 86vw) } }
+/* A window held upright has more sky than the ship is high; gauges side by side leave the sea in sight. */
+@media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px } .sub-goal, .sub-say { max-width: min(460px, 86vw) }
+  .sub-goal { font-size: 14px; line-height: 1.2 } .sub-say { line-height: 1.2 } .sub-gauges { grid-template-columns: auto 56px auto 56px; gap: 2px 8px } }
 `;
 
 export interface Hud {

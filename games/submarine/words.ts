@@ -30,9 +30,10 @@ const en = {
     surface: ['At the surface', 'the compressor fills the bottles'],
   },
   start: isTouch
-    ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap pings'
-    : 'Hold ↓ to flood the tank, ↑ to blow it out; ← → drive; X pings. Or hold the mouse where to go.',
-  goal: (taken: number, count: number) => `Bring up ${count} crates from the bed: ${taken} aboard`,
+    ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap shows the crates'
+    : 'Hold ↓ to flood the tank, ↑ to blow it out; ← → drive; X shows the crates. Or hold the mouse button where the boat should go.',
+  goal: (taken: number, count: number) =>
+    `Bring ${count} crates from the bed to the ship before your air is gone: ${taken} aboard`,
   allAboard: 'All aboard – come up beside the ship',
   tooDeep: 'Too deep – the hull gives way!',
   lowAir: 'Little compressed air is left: come up for more',
@@ -77,9 +78,9 @@ const de: Words = {
     surface: ['Aufgetaucht', 'füllt der Kompressor die Flaschen'],
   },
   start: isTouch
-    ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen ist das Sonar'
-    : 'Halte ↓, um den Tank zu fluten, ↑, um ihn auszublasen; ← → fahren; X ist das Sonar. Oder halte die Maus dorthin, wohin du willst.',
-  goal: (taken, count) => `Hol ${count} Kisten vom Grund: ${taken} an Bord`,
+    ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen zeigt die Kisten'
+    : 'Halte ↓, um den Tank zu fluten, ↑, um ihn auszublasen; ← → fahren; X zeigt die Kisten. Oder halte die Maus dorthin, wohin du willst.',
+  goal: (taken, count) => `Hol ${count} Kisten vom Grund zum Schiff, bevor die Atemluft zu Ende ist: ${taken} an Bord`,
   allAboard: 'Alle an Bord – tauche neben dem Schiff auf',
   tooDeep: 'Zu tief – der Rumpf gibt nach!',
   lowAir: 'Kaum noch Druckluft: Tauche auf und hol neue',

@@ -30,6 +30,16 @@ it('gives every key a line of the help, and every line a key', () => {
   expect(help.map(([keys]) => keys).join()).not.toContain('2');
 });
 
+it('numbers renderers of equal dimensions', () => {
+  const { done, actions } = recorded();
+  const renderers = { pixi: { ...renderer(2), label: 'pixi.js' }, three: { ...renderer(2), label: 'three.js' } };
+  const { pressed, help } = gameCommands({ ...plain, renderers } as unknown as Game, actions);
+  pressed['1']();
+  pressed['2']();
+  expect(done).toEqual(['renderer pixi', 'renderer three']);
+  expect(help).toContainEqual(['1 2', 'draw in pixi.js or three.js']);
+});
+
 it('leaves the keys that a game takes to the game, in the help too', () => {
   const { done, actions } = recorded();
   const game = {

@@ -114,7 +114,9 @@ function rendererCommands<S extends Settings, Sim extends Simulation>(
 ): Command[] {
   const list = Object.entries(renderers);
   if (list.length < 2) return [];
-  const byKey = new Map(list.map(([name, { dimensions }]) => [String(dimensions), name]));
+  // Renderers of equal dimensions are told apart by their place in the list.
+  const areDistinct = new Set(list.map(([, { dimensions }]) => dimensions)).size === list.length;
+  const byKey = new Map(list.map(([name, { dimensions }], i) => [String(areDistinct ? dimensions : i + 1), name]));
   return [
     {
       keys: [...byKey.keys()],
