@@ -5,7 +5,7 @@ import { percentage, plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
 import { WORDS } from './words.ts';
 
-const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': '–' } as const;
+const MARKS = { waiting: '…', passed: '✓', failed: '✗', 'not applicable': '–', 'no figure': '–' } as const;
 
 /** The figures that prove the example right, as they are measured in the run on display. */
 export function createChecksCard(parent: HTMLElement, { checks }: Example): GameCard<ExampleRun> {
@@ -53,10 +53,11 @@ export function createChecksCard(parent: HTMLElement, { checks }: Example): Game
 
 /** What is failed or waiting proves nothing about a run in which the reader took part. */
 function unjudged(state: CheckState): CheckState {
-  return state.state === 'passed' ? state : { ...state, state: 'not applicable' };
+  return state.state === 'passed' || state.state === 'no figure' ? state : { ...state, state: 'not applicable' };
 }
 
-function takenPart({ computed, exact }: CheckState, unit: string): string {
+function takenPart({ state, computed, exact }: CheckState, unit: string): string {
+  if (state === 'no figure') return WORDS.noFigure;
   const measured = Number.isFinite(computed) ? WORDS.computed(`${plainNumber(computed)}${unit}`) : '';
   return `${measured}${WORDS.leftAlone(`${plainNumber(exact)}${unit}`)}`;
 }
@@ -67,6 +68,7 @@ function sentence(
   tolerance: Tolerance,
   needs?: string,
 ): string {
+  if (state === 'no figure') return WORDS.noFigure;
   if (state === 'not applicable') {
     return needs === undefined ? WORDS.default : WORDS.defaultWith(needs);
   }

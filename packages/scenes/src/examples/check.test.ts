@@ -24,7 +24,7 @@ const check = (own: Partial<Check<Run, object>> & Pick<Check<Run, object>, 'at'>
 
 function watch(checks: readonly Check<Run, object>[], seconds: number, isDefault = true) {
   const run = throwStone();
-  const watched = monitor(run, {}, checks, () => isDefault);
+  const watched = monitor(run, {}, {}, checks, () => isDefault);
   const advance = (steps: number) => {
     for (let i = 0; i < steps; i++) step(run.world, DT);
     watched.observe();
@@ -74,9 +74,37 @@ test('a plain figure holds for the values it belongs to, a function for all', ()
   ).toEqual(['not applicable', 'passed']);
 });
 
+test('a figure is judged only where its exact value holds, and is a number', () => {
+  const at = { time: 1 };
+  const { states, isDone } = watch(
+    [check({ at, exact: () => 4, holds: () => false }), check({ at, exact: () => Math.sqrt(-1) })],
+    0,
+  );
+  expect(states().map(({ state }) => state)).toEqual(['no figure', 'no figure']);
+  expect(isDone()).toBe(true);
+});
+
+test('where the exact value is about 0, what is rounding to that of the default settings is no error', () => {
+  const measured = (value: number): Check<Run, { readonly scale: number }> => ({
+    label: 'height',
+    exact: ({ scale }) => 4 * scale,
+    tolerance: { relative: 1e-3 },
+    at: { time: 0 },
+    measure: () => value,
+  });
+  // A height of 0 where it is 4 m by default, and rounding of 1e-12 of that.
+  const checks = [0, 3.9e-12, 4.1e-12].map(measured);
+  const { states } = monitor(throwStone(), { scale: 0 }, { scale: 1 }, checks, () => false);
+  expect(states().map(({ state, error }) => [state, error])).toEqual([
+    ['passed', 0],
+    ['passed', 0],
+    ['failed', Number.POSITIVE_INFINITY],
+  ]);
+});
+
 test('rewinding the world rewinds its checks', () => {
   const run = throwStone();
-  const { observe, states, isDone } = monitor(run, {}, [check({ at: { time: 1 } })], () => true);
+  const { observe, states, isDone } = monitor(run, {}, {}, [check({ at: { time: 1 } })], () => true);
   const start = snapshot(run.world);
   for (let i = 0; i < 70; i++) step(run.world, DT);
   observe();

@@ -24,8 +24,13 @@ export interface Check<Run, Values> {
   readonly label: string;
   /** Left out for a plain number. */
   readonly unit?: string;
-  /** The exact value; a plain number holds for the default values of the parameters only. */
+  /**
+   * The exact value; a plain number holds for the default values of the parameters only, and a function for all values for
+   * which it is finite.
+   */
   readonly exact: number | ((values: Values) => number);
+  /** For which values of the parameters the function `exact` holds; left out, for all. */
+  readonly holds?: (values: Values) => boolean;
   readonly tolerance: Tolerance;
   readonly at: Moment<Run>;
   /** Left out, the time, s, as for when something happens. */
@@ -38,11 +43,12 @@ export interface Check<Run, Values> {
 
 /** The state of a check. */
 export interface CheckState {
-  readonly state: 'waiting' | 'passed' | 'failed' | 'not applicable';
+  /** `no figure` where the exact value does not hold for the values of the parameters. */
+  readonly state: 'waiting' | 'passed' | 'failed' | 'not applicable' | 'no figure';
   /** The measured value; NaN while waiting. */
   readonly computed: number;
   readonly exact: number;
-  /** |computed − exact|, as a fraction of the exact value for a relative tolerance. */
+  /** |computed − exact|, as a fraction of the exact value for a relative tolerance; 0 where it is rounding alone. */
   readonly error: number;
 }
 
@@ -77,13 +83,21 @@ interface Watched {
 }
 
 /**
+ * A difference this small against the exact value of the default settings is rounding: some ten thousand roundings of f64, of
+ * 1.1e-16 each. It counts where the exact value itself is about 0.
+ */
+const ROUNDING = 1e-12;
+
+/**
  * Watches the checks of a run: at the start of every step, and whenever `observe` is called. Rewinding the world rewinds
  * the checks.
+ * @param defaults the default values of the parameters
  * @param hasValuesOf whether the parameters have the values of the preset of a label, or without one the default values
  */
 export function monitor<Run extends Watched, Values>(
   run: Run,
   values: Values,
+  defaults: Values,
   checks: readonly Check<Run, Values>[],
   hasValuesOf: (preset?: string) => boolean,
 ): Monitor {
@@ -91,24 +105,42 @@ export function monitor<Run extends Watched, Values>(
   const seen = { tick: -1 };
   const { world } = run;
   keepState(world, seen, ...progress);
-  const applies = checks.map(({ exact, integrator, preset }) => {
+  const limits = checks.map((check): Limits => {
+    const { exact, integrator, preset, holds } = check;
     const isOwn = integrator === undefined || integrator.name === world.integrator.name;
-    return isOwn && (hasValuesOf(preset) || (typeof exact === 'function' && preset === undefined));
+    const isMeant = isOwn && (hasValuesOf(preset) || (typeof exact === 'function' && preset === undefined));
+    const expected = exactOf(check, values);
+    const isKnown = Number.isFinite(expected) && (holds?.(values) ?? true);
+    const reason = isMeant ? (isKnown ? undefined : 'no figure') : 'not applicable';
+    return { expected, rounding: ROUNDING * Math.abs(exactOf(check, defaults)), reason };
   });
   const observe = () => {
     if (seen.tick === world.tick) return;
     seen.tick = world.tick;
     for (let i = 0; i < checks.length; i++) {
-      if (applies[i] && !progress[i].done) measureOnce(run, checks[i], progress[i]);
+      if (limits[i].reason === undefined && !progress[i].done) measureOnce(run, checks[i], progress[i]);
     }
   };
   world.phases.input.unshift(observe);
   observe();
   return {
     observe,
-    states: () => checks.map((check, i) => stateOf(check, values, progress[i], applies[i])),
-    isDone: () => progress.every(({ done }, i) => done || !applies[i]),
+    states: () => checks.map((check, i) => stateOf(check, limits[i], progress[i])),
+    isDone: () => progress.every(({ done }, i) => done || limits[i].reason !== undefined),
   };
+}
+
+/** What a check is judged by. */
+interface Limits {
+  readonly expected: number;
+  /** A difference that is rounding alone. */
+  readonly rounding: number;
+  /** Why it is not judged. */
+  readonly reason: 'not applicable' | 'no figure' | undefined;
+}
+
+function exactOf<Values>({ exact }: Pick<Check<never, Values>, 'exact'>, values: Values): number {
+  return typeof exact === 'function' ? exact(values) : exact;
 }
 
 function newProgress(): Progress {
@@ -117,17 +149,16 @@ function newProgress(): Progress {
 }
 
 function stateOf<Run, Values>(
-  { exact, tolerance }: Check<Run, Values>,
-  values: Values,
+  { tolerance }: Check<Run, Values>,
+  { expected, rounding, reason }: Limits,
   { done, result }: Progress,
-  applies: boolean,
 ): CheckState {
-  const expected = typeof exact === 'function' ? exact(values) : exact;
   const difference = Math.abs(result - expected);
-  const error = 'relative' in tolerance ? difference / Math.abs(expected) : difference;
+  const fraction = difference <= rounding ? 0 : difference / Math.abs(expected);
+  const error = 'relative' in tolerance ? fraction : difference;
   const limit = 'relative' in tolerance ? tolerance.relative : tolerance.absolute;
   const judged = error <= limit ? 'passed' : 'failed';
-  return { state: applies ? (done ? judged : 'waiting') : 'not applicable', computed: result, exact: expected, error };
+  return { state: reason ?? (done ? judged : 'waiting'), computed: result, exact: expected, error };
 }
 
 function measureOnce<Run extends Watched>(run: Run, check: Check<Run, never>, progress: Progress): void {

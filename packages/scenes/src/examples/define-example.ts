@@ -278,7 +278,13 @@ function startRun<Name extends string, Run extends SceneRun>(
       ([name, { initial }]) => values[name as Name] === (preset[name as Name] ?? initial),
     );
   };
-  const watch: Monitor = monitor(run, values, checks, hasValuesOf);
+  const watch: Monitor = monitor(
+    run,
+    values,
+    completeValues(spec.id, spec.parameters, {}) as ValuesOf<Name>,
+    checks,
+    hasValuesOf,
+  );
   return {
     ...run,
     world,

@@ -15,6 +15,9 @@ import { now, type Picture } from './picture.ts';
 const RESERVED =
   /^(example|seed|renderer|manual|integrator|ghosts|arrows|trails|step|camera|plot|folded|errors|search|code)$/;
 
+/** Steps at the ends of parameters. */
+const STEPS_AT_ENDS = 200;
+
 /** Steps that every example takes at least. */
 const STEPS = 600;
 
@@ -60,6 +63,26 @@ function settingsOf({ checks }: Example): { integrator: Integrator | undefined; 
   return settings
     .map(({ integrator, preset }) => ({ integrator, preset }))
     .filter((a, i, all) => i === all.findIndex((b) => a.integrator === b.integrator && a.preset === b.preset));
+}
+
+/** The presets, each parameter at either end, and all of them there at once. */
+function settingsOfPage({ presets, parameters }: Example) {
+  const ends = (['min', 'max'] as const).flatMap((end) => {
+    const all = Object.entries(parameters).map(([name, parameter]) => ({ [name]: parameter[end] }));
+    return [...all, Object.assign({}, ...all)];
+  });
+  return [
+    ...presets.map(({ values }) => ({ values: values as Record<string, number>, isPreset: true })),
+    ...ends.map((values) => ({ values, isPreset: false })),
+  ];
+}
+
+/** Values of plots that are no numbers. */
+function gapsIn({ world, plots }: ExampleRun): string[] {
+  return plots.flatMap(({ title, x, series }) => {
+    const values = [x.value(), ...series.flatMap(({ value, exact }) => [value(), exact?.(world.time) ?? 0])];
+    return values.every(Number.isFinite) ? [] : [`${title} at ${world.time} s: ${values.join(', ')}`];
+  });
 }
 
 describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, entry) => {
@@ -129,20 +152,29 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     expect(messages).toEqual([]);
   });
 
-  it('runs with every preset and at both ends of every parameter, without a warning', () => {
+  it('is right with every preset and with every parameter at both ends, alone and together', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {});
-    const ends = Object.entries(example.parameters).flatMap(([name, { min, max }]) => [
-      { [name]: min },
-      { [name]: max },
-    ]);
-    for (const values of [...example.presets.map((preset) => preset.values), ...ends]) {
-      const run = example.start({ values: values as Record<string, number> });
-      for (let i = 0; i < 60; i++) step(run.world, run.dt);
-      expect(run.world.faults.faults, JSON.stringify(values)).toEqual([]);
-      expect(warn.mock.calls, JSON.stringify(values)).toEqual([]);
+    for (const { values, isPreset } of settingsOfPage(example)) {
+      const run = example.start({ values });
+      const settings = JSON.stringify(values);
+      const all = Math.ceil(example.duration / run.dt) + 1;
+      // Presets until all figures are judged, ends of parameters only briefly.
+      for (let i = 0; i < all && (i < STEPS_AT_ENDS || (isPreset && !run.isDone())); i++) {
+        step(run.world, run.dt);
+        run.observe();
+        if (i % 16 === 0) expect(gapsIn(run), settings).toEqual([]);
+      }
+      for (const [i, { state, computed, exact }] of run.checkStates().entries()) {
+        const figure = `${settings}, ${example.checks[i].label}: ${computed} instead of ${exact}`;
+        expect(state, figure).not.toBe('failed');
+        // A run that has ended keeps nobody waiting.
+        if (example.ends && isPreset) expect(state, figure).not.toBe('waiting');
+      }
+      expect(run.world.faults.faults, settings).toEqual([]);
+      expect(warn.mock.calls, settings).toEqual([]);
     }
     warn.mockRestore();
-  });
+  }, 300_000);
 
   it('takes presses on its picture without a fault, if any', () => {
     const { pointer, dimensions, actions } = example;
@@ -185,7 +217,9 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     for (let i = 0; i < 30; i++) step(run.world, run.dt);
     for (const number of numbersIn(run.picture, run.world.time)) expect(number).toBeTypeOf('number');
     for (const number of numbersIn(run.picture, run.world.time)) expect(Number.isFinite(number)).toBe(true);
-    for (const { x, series } of run.plots) {
+    for (const { x, y, series } of run.plots) {
+      // The unit follows the comma.
+      for (const { label } of [x, y]) expect(label).toMatch(/^[^,]+(, [^,]+)?$/);
       for (const { value } of [x, ...series]) expect(Number.isFinite(value())).toBe(true);
       for (const { exact } of series) expect(Number.isFinite(exact?.(run.world.time) ?? 0)).toBe(true);
     }

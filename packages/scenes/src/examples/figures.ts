@@ -2,7 +2,7 @@
 import type { Check } from './check.ts';
 
 /** What a figure must be, and how exactly: to a fraction of it (`relative`), or to a number in its unit (`absolute`). */
-export type Expected<Values> = Pick<Check<never, Values>, 'exact' | 'unit' | 'integrator' | 'preset'> &
+export type Expected<Values> = Pick<Check<never, Values>, 'exact' | 'holds' | 'unit' | 'integrator' | 'preset'> &
   ({ readonly relative: number } | { readonly absolute: number });
 
 type Figure<Run, Values> = (
@@ -35,9 +35,10 @@ export function figuresOf<Run, Values>(): Figures<Run, Values> {
 }
 
 function checkOf<Values>(expected: Expected<Values>): Omit<Check<never, Values>, 'label' | 'at' | 'measure'> {
-  const { exact, unit, integrator, preset } = expected;
+  const { exact, holds, unit, integrator, preset } = expected;
   return {
     exact,
+    ...(holds === undefined ? {} : { holds }),
     ...(unit === undefined ? {} : { unit }),
     ...(integrator === undefined ? {} : { integrator }),
     ...(preset === undefined ? {} : { preset }),

@@ -29,7 +29,7 @@ export default defineExample({
     trails: [{ body: ball }, { body: particle }],
   }),
   plots: (plot) => [
-    plot('Distance of the two', 'px', { label: 'distance', value: ({ gap }) => gap(), exact: () => 200 }),
+    plot('Distance of the two', 'distance, px', { label: 'distance', value: ({ gap }) => gap(), exact: () => 200 }),
   ],
   checks: ({ at }) => [
     at(

@@ -35,7 +35,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Place',
-      'm',
+      'place, m',
       {
         label: 'x',
         value: ({ world, particle }) => positionOf(world, particle).x,

@@ -3,7 +3,7 @@ import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { positionOf, speedOf, velocityOf } from '../support/read.ts';
 
-const BANK = 30;
+const [BANK, DURATION] = [30, 8];
 
 export default defineExample({
   id: 'ch04-relative-velocity',
@@ -12,7 +12,7 @@ export default defineExample({
   tags: ['velocity', 'vectors'],
   about:
     'A boat is rowed straight across at 4 m/s, and the river carries it along at 3 m/s. Seen from the bank it moves at 5 m/s, at an angle. The current does not make the crossing any longer or shorter: the boat only arrives further down. The leaf floats with the water, and sees the boat go straight across.',
-  duration: 8,
+  duration: DURATION,
   ends: true,
   parameters: {
     river: { label: 'Speed of the river', unit: 'm/s', initial: 3, min: 0, max: 6 },
@@ -69,6 +69,7 @@ export default defineExample({
       label: 'Time to the other bank, width over the speed of the boat',
       unit: 's',
       exact: ({ boat }) => BANK / boat,
+      holds: ({ boat }) => boat * DURATION > BANK,
       tolerance: { relative: 1e-9 },
       at: { event: ({ world, ball }) => positionOf(world, ball).y - BANK },
     },

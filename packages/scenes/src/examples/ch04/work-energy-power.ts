@@ -63,7 +63,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Work and energy of motion',
-      'J',
+      'E, J',
       { label: 'work', value: ({ work }) => work() },
       { label: 'energy gained', value: ({ gained }) => gained() },
     ),

@@ -7,6 +7,7 @@ import { positionOf, velocityOf } from '../support/read.ts';
 const RADIUS = 50;
 const START = 100;
 const SPOKES = 12;
+const DURATION = 14;
 
 export default defineExample({
   id: 'ch09-rolling-wheel',
@@ -15,7 +16,7 @@ export default defineExample({
   tags: ['rotation', 'rolling', 'cycloid'],
   about:
     'A wheel that rolls moves forward by ω R, exactly as fast as its rim turns. Then its lowest point stands still on the road for a moment: that is why tyres grip. If it moves slower or faster than it turns, the lowest point slides, and the wheel skids.',
-  duration: 14,
+  duration: DURATION,
   ends: true,
   parameters: {
     factor: { label: 'Speed, in units of ω R', initial: 1, min: 0, max: 2.5 },
@@ -90,6 +91,7 @@ export default defineExample({
       label: 'Distance in one turn, 2πR',
       unit: 'px',
       exact: ({ factor }) => factor * 2 * Math.PI * RADIUS,
+      holds: ({ omega }) => omega * DURATION > 2 * Math.PI,
       tolerance: { absolute: 1e-6 },
       at: { event: ({ angle }) => -angle() - 2 * Math.PI },
       measure: ({ world, wheel }) => positionOf(world, wheel).x - START,

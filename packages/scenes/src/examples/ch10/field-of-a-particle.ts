@@ -1,11 +1,24 @@
 import { attractors, cos, createPhysicsWorld, rgba, rungeKutta4, sin, spawn } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { defineExample, type ValuesOf } from '../define-example.ts';
 import { type Arrow, COLORS, type Point, pointsOf } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
 
 const CENTRE = { x: 0, y: 0 };
 const POINTS = 400;
+const [START, DT] = [200, 1 / 240];
+
+/** The nearest that the body comes, px: the other end of its ellipse, or its start. */
+function nearest({ mass, speed }: ValuesOf<'mass' | 'speed'>): number {
+  const other = START / ((2 * mass) / (START * speed * speed) - 1);
+  return other > 0 ? Math.min(START, other) : START;
+}
+
+/** Whether a step turns the body by less than a tenth of a radian there, as the integrator needs. */
+function hasShortSteps(values: ValuesOf<'mass' | 'speed'>): boolean {
+  const r = nearest(values);
+  return values.mass * DT * DT < 0.01 * r * r * r;
+}
 
 /** Gravity of the mass at a point, −GM r/r³. */
 function fieldAt({ x, y }: Point, mass: number): Point {
@@ -54,12 +67,12 @@ export default defineExample({
   build({ mass, speed }, { integrator = rungeKutta4 }) {
     const world = createPhysicsWorld({ capacity: 4, forces: [attractors()], integrator });
     spawn(world, { position: CENTRE, attractor: mass, appearance: { size: 14, color: rgba(1, 0.8, 0.35) } });
-    const body = spawn(world, { position: { x: 200 }, velocity: { y: speed }, mass: 1, collider: 6 });
+    const body = spawn(world, { position: { x: START }, velocity: { y: speed }, mass: 1, collider: 6 });
     const total = () => {
       const v = speedOf(world, body);
       return (v * v) / 2 - mass / distanceBetween(positionOf(world, body), CENTRE);
     };
-    return { world, dt: 1 / 240, body, total };
+    return { world, dt: DT, body, total };
   },
   picture({ world, body }, { mass }) {
     const grid = [-5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5].flatMap((i) => [-3, -2, -1, 0, 1, 2, 3].map((j) => [i, j]));
@@ -81,13 +94,13 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Energy of the body',
-      'E, J',
+      'E, kg px²/s²',
       { label: 'total', value: ({ total }) => total() },
       { label: 'of motion', value: ({ world, body }) => (speedOf(world, body) * speedOf(world, body)) / 2 },
     ),
   ],
   checks: ({ at }) => [
-    at(0, 'Work on a closed path', { exact: 0, unit: 'J', absolute: 1e-9 }, () => workRound(1e6)),
+    at(0, 'Work on a closed path', { exact: 0, unit: 'kg px²/s²', absolute: 1e-9 }, () => workRound(1e6)),
     at(0, 'Flow through a sphere about the mass, by 4π GM', { exact: 1, relative: 1e-3 }, () => flowThrough(0)),
     at(0, 'The same with the mass far from the middle of the sphere', { exact: 1, relative: 1e-3 }, () =>
       flowThrough(60),
@@ -95,7 +108,12 @@ export default defineExample({
     at(
       30,
       'Energy of the body after 30 s',
-      { exact: ({ mass, speed }) => (speed * speed) / 2 - mass / 200, unit: 'J', relative: 1e-4 },
+      {
+        exact: ({ mass, speed }) => (speed * speed) / 2 - mass / START,
+        holds: hasShortSteps,
+        unit: 'kg px²/s²',
+        relative: 1e-4,
+      },
       ({ total }) => total(),
     ),
   ],

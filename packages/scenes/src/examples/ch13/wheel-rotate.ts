@@ -1,11 +1,14 @@
 import { createPhysicsWorld, spawn } from '@principia/physics';
-import { defineExample } from '../define-example.ts';
+import { defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { placeOn, spokes, star } from '../support/outline.ts';
 import { positionOf } from '../support/read.ts';
 
 const RIM = 36;
 const START = 100;
+const DURATION = 12;
+
+const turnsOnce = ({ omega }: ValuesOf<'radius' | 'omega'>) => omega * DURATION > 2 * Math.PI;
 
 export default defineExample({
   id: 'ch13-wheel-rotate',
@@ -14,7 +17,7 @@ export default defineExample({
   tags: ['rotation', 'rolling'],
   about:
     'A body that is more than a point has an angle besides its place, and an angular velocity besides its velocity. Both grow evenly here. If they fit together, v = ω R, the wheel rolls: it moves on by its circumference in every turn.',
-  duration: 12,
+  duration: DURATION,
   ends: true,
   parameters: {
     radius: { label: 'Radius R', unit: 'px', initial: 50, min: 20, max: 80 },
@@ -52,6 +55,7 @@ export default defineExample({
       label: 'Distance in one turn, 2πR',
       unit: 'px',
       exact: ({ radius }) => 2 * Math.PI * radius,
+      holds: turnsOnce,
       tolerance: { absolute: 1e-6 },
       at: { event: ({ turned }) => turned() - 2 * Math.PI },
       measure: ({ world, wheel }) => positionOf(world, wheel).x - START,
@@ -60,6 +64,7 @@ export default defineExample({
       label: 'Time of one turn, 2π/ω',
       unit: 's',
       exact: ({ omega }) => (2 * Math.PI) / omega,
+      holds: turnsOnce,
       tolerance: { absolute: 1e-6 },
       at: { event: ({ turned }) => turned() - 2 * Math.PI },
     },

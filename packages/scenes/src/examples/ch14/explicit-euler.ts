@@ -17,7 +17,7 @@ export default defineExample({
   about:
     'The simplest scheme takes the velocity at the beginning of a step for the whole of it, and so always moves along the tangent: out of the circle, never back. The amplitude grows by the factor √(1 + ω² dt²) in each step. After 100 s the swing has more than twice its size, from nothing.',
   duration: 100,
-  parameters: { rate: rateParameter },
+  parameters: { rate: { ...rateParameter, min: 5 } },
   presets: [{ label: 'Short steps', values: { rate: 240 } }],
   build: ({ rate }, { integrator = explicitEuler }) => oscillator(rate, integrator),
   picture: (run) => phasePicture(run, 500),

@@ -4,6 +4,9 @@ import { COLORS } from '../picture.ts';
 import { positionOf, speedOf } from '../support/read.ts';
 import { ropeLinks } from '../support/rope-links.ts';
 
+/** A knot gets no faster than this, px/s. */
+const BOILING = 1000;
+
 const LINK = { stiffness: 500, damping: 20, length: 20 };
 
 export default defineExample({
@@ -26,6 +29,15 @@ export default defineExample({
       return spawn(world, i === 0 || i === 15 ? knot : { ...knot, mass });
     });
     world.forces.push(ropeLinks(ids, LINK));
+    // A rope that boils would soon be too fast for any number.
+    const { x, y } = world.components.Velocity;
+    world.phases.finish.push(() => {
+      for (const id of ids) {
+        const part = BOILING / Math.max(BOILING, speedOf(world, id));
+        x[id] *= part;
+        y[id] *= part;
+      }
+    });
     const fastest = () => Math.max(...ids.map((id) => speedOf(world, id)));
     return { world, dt, ids, fastest };
   },

@@ -67,7 +67,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'The four numbers',
-      'x, y, z, w',
+      'part',
       ...(['x', 'y', 'z', 'w'] as const).map((part) => ({
         label: part,
         value: ({ turn }: { turn(): Quaternion }) => turn()[part],

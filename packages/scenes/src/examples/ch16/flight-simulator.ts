@@ -100,6 +100,8 @@ function steady(preset?: string): Check<FlightRun, Values>[] {
       label: preset === undefined ? label : `${label}, ${preset}`,
       unit: 'm/s',
       exact,
+      // With the controls in the middle.
+      holds: ({ elevator, aileron }) => elevator === 0 && aileron === 0,
       tolerance: { relative: 5e-3 },
       at: { time: 60 },
       measure: ({ world, plane }) => velocityOf(world, plane)[axis],
@@ -217,7 +219,7 @@ export default defineExample({
   },
   plots: (plot) => [
     plot('Height', 'y, m', { label: 'stepped', value: ({ world, plane }) => positionOf(world, plane).y }),
-    plot('Climb', 'm/s', {
+    plot('Climb', 'climb, m/s', {
       label: 'stepped',
       value: ({ world, plane }) => velocityOf(world, plane).y,
       exact: (_, { push: kilonewtons }) => steadyFlight(1000 * kilonewtons).climb,

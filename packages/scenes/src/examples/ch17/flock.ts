@@ -136,8 +136,8 @@ export default defineExample({
   parameters: {
     birds: { label: 'Birds', initial: 200, min: 2, max: 400, integer: true },
     range: { label: 'How far they see', unit: 'm', initial: 2.5, min: 0.5, max: 60 },
-    alignment: { label: 'Flying alike, per neighbour', unit: '1/s', initial: 0.3, min: 0, max: 1 },
-    cohesion: { label: 'Staying together, per neighbour', unit: '1/s²', initial: 0.12, min: 0, max: 2 },
+    alignment: { label: 'Flying alike, per neighbour', unit: '1/s', initial: 0.3, min: 0, max: 0.5 },
+    cohesion: { label: 'Staying together, per neighbour', unit: '1/s²', initial: 0.12, min: 0, max: 0.5 },
     separation: { label: 'Keeping distance', unit: 'm/s²', initial: 20, min: 0, max: 40 },
     will: { label: 'Urge to keep the cruising speed', unit: '1/s', initial: 1.5, min: 0, max: 5 },
   },

@@ -26,6 +26,9 @@ const [LENGTH, HEIGHT, SPACING] = [1.2, 0.75, 0.03];
 /** Wave number of the slowest standing wave. */
 const K = Math.PI / LENGTH;
 
+/** Speed of sound, m/s: the water is that stiff. */
+const SOUND = 12;
+
 /** Layers of particles that a wall is made of, which is as far as water sees. */
 const LAYERS = 3;
 
@@ -111,7 +114,7 @@ export default defineExample({
     { label: 'Honey', values: { viscosity: 0.5 } },
   ],
   build(values: Values, { integrator = semiImplicitEuler }: BuildOptions): WaterRun {
-    const options: WaterOptions = { spacing: SPACING, density: 1000, sound: 12, viscosity: values.viscosity };
+    const options: WaterOptions = { spacing: SPACING, density: 1000, sound: SOUND, viscosity: values.viscosity };
     const forces = [uniformGravity({ y: -values.gravity }), water(options)];
     const world = createPhysicsWorld({ capacity: 2000, forces, integrator });
     addTank(world);
@@ -133,6 +136,8 @@ export default defineExample({
       label: 'Period of the wave, 2π/√(g k tanh k d)',
       unit: 's',
       exact: periodOf,
+      // Ten layers of particles and more: shallow water is too coarse for this tolerance.
+      holds: ({ depth }) => depth >= 10 * SPACING,
       tolerance: { relative: 0.03 },
       at: { event: ({ shift }) => shift() - 1e-6, from: 1, to: 3 },
       measure: ({ world }) => world.time / 2,
@@ -140,7 +145,13 @@ export default defineExample({
     mean(
       6,
       'Mean height of the water, half of the depth',
-      { exact: ({ depth }) => depth / 2, unit: 'm', relative: 0.03 },
+      {
+        exact: ({ depth }) => (SPACING * Math.round(depth / SPACING)) / 2,
+        // Its weight presses it together by g d/c² at the floor.
+        holds: ({ depth, gravity }) => gravity * depth < 0.03 * SOUND * SOUND,
+        unit: 'm',
+        relative: 0.03,
+      },
       ({ world }) => centreOfMass(world).y,
     ),
   ],

@@ -89,7 +89,8 @@ export function createFlights(world: PhysicsWorld, options: FlightOptions): Flig
       isJudged[k] = 0;
     } else if (isJudged[k] === 1) {
       const scale = Math.max(Math.abs(starts[k]), kinetic(id));
-      total.worst = Math.max(total.worst, Math.abs(energyOf(id) - starts[k]) / scale);
+      // What rests without a force has no energy, and no error of it.
+      if (scale > 0) total.worst = Math.max(total.worst, Math.abs(energyOf(id) - starts[k]) / scale);
     }
   };
   for (let k = 0; k < ids.length; k++) launch(k);
