@@ -2,6 +2,7 @@ import { csvOf } from '@principia/shell';
 import { expect, test } from 'vitest';
 import { gridLines } from './grid-lines.ts';
 import { percentage, plainNumber } from './number-text.ts';
+import { plotSentence } from './plot-sentence.ts';
 import { Samples } from './samples.ts';
 
 test('samples keep the whole run in a fixed memory, and forget what was rewound', () => {
@@ -28,6 +29,14 @@ test('grid lines are round and within the range', () => {
   expect(gridLines(0, 1440, 180)).toEqual([0, 180, 360, 540, 720, 900, 1080, 1260, 1440]);
   expect(gridLines(-1.2, 1.2)).toEqual([-1, -0.5, 0, 0.5, 1]);
   expect(gridLines(0, 0.3)).toEqual([0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3]);
+});
+
+test('a plot in words has its title, and each series its value and its unit', () => {
+  const of = (label: string, value: number) => ({ label, value: () => value });
+  const fall = { title: 'Speed', y: { label: 'v, px/s' }, series: [of('stepped', 16.5819), of('without air', -20)] };
+  expect(plotSentence(fall)).toBe('Speed: stepped 16.5819 px/s, without air −20 px/s');
+  const parts = { title: 'The four numbers', y: { label: 'part' }, series: [of('x', 0), of('w', 1)] };
+  expect(plotSentence(parts)).toBe('The four numbers: x 0, w 1');
 });
 
 test('numbers are short and plain', () => {

@@ -1,7 +1,7 @@
 import { element, type GameCard } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
-import { plainNumber } from './number-text.ts';
 import { isDisturbed } from './on-display.ts';
+import { plotSentence } from './plot-sentence.ts';
 import { WORDS, WORDS_BY_LANGUAGE } from './words.ts';
 
 /** What examples plot has English names, and a sentence has one language. */
@@ -42,13 +42,10 @@ export function createWordsCard(parent: HTMLElement): GameCard<LabRun> {
 }
 
 function describe(run: LabRun): string {
-  const values = run.plots.flatMap(({ y, series }) => {
-    const unit = y.label.includes(', ') ? ` ${y.label.split(', ').at(-1)}` : '';
-    return series.map(({ label, value }) => `${label} ${plainNumber(value()).replace(',', '.')}${unit}`);
-  });
+  const values = run.plots.map(plotSentence);
   const time = run.world.time.toFixed(1);
   if (isDisturbed(run)) return SENTENCE.after(time, [...values, SENTENCE.tookPart].join('; '));
-  const states = run.checkStates().filter(({ state }) => state !== 'not applicable');
+  const states = run.checkStates().filter(({ state }) => state !== 'not applicable' && state !== 'no figure');
   const passed = states.filter(({ state }) => state === 'passed').length;
   const failed = states.filter(({ state }) => state === 'failed').length;
   const checks = `${SENTENCE.proven(passed, states.length)}${failed > 0 ? SENTENCE.off(failed) : ''}`;

@@ -46,7 +46,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Place of the dot',
-      'px',
+      'place, px',
       { label: 'x', value: ({ place }) => place().x },
       { label: 'y', value: ({ place }) => place().y },
     ),

@@ -109,8 +109,11 @@ export default defineExample({
       { exact: 0, unit: 'kg px/s', absolute: 1e-12 },
       ({ world, start }) => Math.abs(momentum(world).x - start.momentum),
     ),
-    largest(13, 'Largest change of the energy, 700 J', { exact: 0, unit: 'J', absolute: 1e-10 }, ({ world, start }) =>
-      Math.abs(energy(world).kinetic - start.energy),
+    largest(
+      13,
+      'Largest change of the energy, 700 kg px²/s²',
+      { exact: 0, unit: 'kg px²/s²', absolute: 1e-10 },
+      ({ world, start }) => Math.abs(energy(world).kinetic - start.energy),
     ),
   ],
   tryThis: [

@@ -51,7 +51,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Energy',
-      'E, J',
+      'E, kg px²/s²',
       { label: 'height', value: ({ world }) => energy(world).potential },
       { label: 'motion', value: ({ world }) => energy(world).kinetic },
       { label: 'total', value: ({ world }) => energy(world).total },
@@ -61,13 +61,13 @@ export default defineExample({
     largest(
       10,
       'Largest total energy in 10 s, ½ m u²',
-      { exact: ({ speed }) => (speed * speed) / 2, unit: 'J', absolute: 1e-9 },
+      { exact: ({ speed }) => (speed * speed) / 2, unit: 'kg px²/s²', absolute: 1e-9 },
       ({ world }) => energy(world).total,
     ),
     smallest(
       10,
       'Smallest total energy',
-      { exact: ({ speed }) => (speed * speed) / 2, unit: 'J', absolute: 1e-9 },
+      { exact: ({ speed }) => (speed * speed) / 2, unit: 'kg px²/s²', absolute: 1e-9 },
       ({ world }) => energy(world).total,
     ),
     at(

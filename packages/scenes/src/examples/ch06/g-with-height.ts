@@ -51,7 +51,7 @@ export default defineExample({
     ...[0.5, 1, 2, 10].map((r) =>
       at(
         0,
-        `Gravity at ${r} radii`,
+        `Gravity at ${r === 1 ? 'one radius' : `${r} radii`}`,
         { exact: { 0.5: 4.905, 1: 9.81, 2: 2.4525, 10: 0.0981 }[r] as number, unit: 'm/s²', absolute: 1e-12 },
         () => gravity(r),
       ),

@@ -42,7 +42,7 @@ export default defineExample({
     ],
   }),
   plots: (plot) => [
-    plot('How far the two are apart', 'm', {
+    plot('How far the two are apart', 'distance, m', {
       label: 'difference',
       value: ({ world, ball, constant }) => positionOf(world, ball).y - constant(world.time).y,
     }),

@@ -60,7 +60,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Energy',
-      'energy, J',
+      'energy, kg px²/s²',
       { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
       { label: 'potential', value: ({ world }) => energy(world).potential },
       { label: 'total', value: ({ world }) => energy(world).total },

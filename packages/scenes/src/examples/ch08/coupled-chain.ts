@@ -15,7 +15,7 @@ import { positionOf } from '../support/read.ts';
 
 const SUPPORT = { x: 350, y: 50 };
 const [GRAVITY, STIFFNESS, LINK] = [20, 10, 50];
-/** Heights at which the balls hang at rest: each spring carries all balls below it. */
+/** Where the balls hang at rest, y downwards: each spring carries all balls below it. */
 const RESTS = [112, 172, 230, 286, 340, 392];
 const MODES = [1, 2, 3, 4, 5, 6];
 /** Frequencies of the vertical normal modes, 2 √(k/m) sin((2j − 1)π/26). */
@@ -80,11 +80,11 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Heights',
-      'y, px',
+      'Heights, with the support at 0',
+      'h, px',
       ...[0, 2, 5].map((i) => ({
         label: `ball ${i + 1}`,
-        value: ({ world, balls }: Run) => positionOf(world, balls[i]).y,
+        value: ({ world, balls }: Run) => SUPPORT.y - positionOf(world, balls[i]).y,
       })),
     ),
     plot(
@@ -104,9 +104,9 @@ export default defineExample({
     ...RESTS.map((rest, i) =>
       at(
         80,
-        `Height of ball ${i + 1} at rest`,
-        { exact: rest, unit: 'px', absolute: 0.01, preset: 'Support at rest' },
-        ({ world, balls }: Run) => positionOf(world, balls[i]).y,
+        `Depth of ball ${i + 1} at rest below the support`,
+        { exact: rest - SUPPORT.y, unit: 'px', absolute: 0.01, preset: 'Support at rest' },
+        ({ world, balls }: Run) => positionOf(world, balls[i]).y - SUPPORT.y,
       ),
     ),
     ...MODES.map((mode) => ({

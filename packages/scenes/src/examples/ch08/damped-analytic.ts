@@ -24,7 +24,7 @@ export default defineExample({
   chapter: 8,
   tags: ['spring', 'oscillation', 'damping', 'integrators'],
   about:
-    'The ball swings to and fro, and up and down, and drag takes its energy: it spirals into the middle. The ring moves on the exact solution. The simple scheme is five pixels off at worst, Runge-Kutta 4 less than a ten thousandth of one.',
+    'The ball swings to and fro, and up and down, and drag takes its energy: it spirals into the middle. The ring moves on the exact solution. The simple scheme is five pixels off at worst, Runge-Kutta 4 less than a ten-thousandth of a pixel.',
   duration: 20,
   ends: true,
   parameters: {

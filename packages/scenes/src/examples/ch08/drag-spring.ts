@@ -75,10 +75,10 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Height of the figures',
-      'y, px',
-      { label: 'dragged', value: ({ world, figure }) => positionOf(world, figure).y },
-      { label: 'without drag', value: ({ world, free }) => positionOf(world, free).y },
+      'Height above the place of rest',
+      'h, px',
+      { label: 'dragged', value: ({ world, figure, rest }) => rest - positionOf(world, figure).y },
+      { label: 'without drag', value: ({ world, free, rest }) => rest - positionOf(world, free).y },
     ),
     plot('Length of the spring', 'length, px', {
       label: 'dragged',
@@ -104,15 +104,15 @@ export default defineExample({
     },
     mean(
       12 * Math.PI,
-      'Height of rest, 50 + L + mg/k: the mean of six bounces',
-      { exact: 270, unit: 'px', relative: 1e-3 },
-      ({ world, free }) => positionOf(world, free).y,
+      'Depth of rest below the hook, L + mg/k: the mean of six bounces',
+      { exact: 220, unit: 'px', relative: 1e-3 },
+      ({ world, free }) => positionOf(world, free).y - OTHER.y,
     ),
     at(
       60,
-      'Height of the dragged figure after 60 s',
-      { exact: 270, unit: 'px', relative: 0.005 },
-      ({ world, figure }) => positionOf(world, figure).y,
+      'Depth of the dragged figure below the hook after 60 s',
+      { exact: 220, unit: 'px', relative: 0.005 },
+      ({ world, figure }) => positionOf(world, figure).y - ANCHOR.y,
     ),
   ],
   tryThis: [

@@ -71,7 +71,7 @@ export default defineExample({
     };
   },
   plots: (plot) => [
-    plot('Root mean square of the displacement', 'px', {
+    plot('Root mean square of the displacement', 'x, px', {
       label: 'of 2000 balls',
       value: ({ rms }) => rms(),
       exact: (_, { noise }) => Math.sqrt(noise / (2 * STIFFNESS * DAMPING)),

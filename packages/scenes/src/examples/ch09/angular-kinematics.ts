@@ -46,7 +46,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Place',
-      'px',
+      'place, px',
       {
         label: 'x',
         value: ({ world, ball }) => positionOf(world, ball).x,

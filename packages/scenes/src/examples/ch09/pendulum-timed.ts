@@ -23,7 +23,7 @@ export default defineExample({
   chapter: 9,
   tags: ['pendulum', 'oscillation', 'measurement'],
   about:
-    'The watch starts as the bob is let go. Stop it when the bob is back, and compare with 2π √(L/g). Whoever stops after ten swings and divides by ten makes the error of the own reaction ten times smaller.',
+    'The watch starts as the bob is let go. Stop it when the bob is back, and compare with 2π √(L/g). Whoever stops after ten swings and divides by ten makes the error of their own reaction ten times smaller.',
   duration: 100,
   parameters: {
     degrees: { label: 'Start', unit: '°', initial: 30, min: 1, max: 85 },

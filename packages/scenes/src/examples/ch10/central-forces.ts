@@ -51,7 +51,7 @@ export default defineExample({
   chapter: 10,
   tags: ['orbit', 'central force', 'angular momentum'],
   about:
-    'A force towards a centre that falls as 1/r draws a rosette: the nearest point moves on with every turn. Only two laws draw closed curves whatever the start, gravity and the spring; Bertrand proved that in 1873. The angular momentum stays the same under all of them.',
+    'A force towards a centre that falls as 1/r draws a rosette: in every turn the nearest point is another. Only two laws draw closed curves whatever the start, gravity and the spring; Bertrand proved that in 1873. The angular momentum stays the same under all of them.',
   duration: 90,
   parameters: {
     law: choiceOf(
@@ -87,14 +87,17 @@ export default defineExample({
   },
   plots: (plot) => [
     plot('Distance', 'r, px', { label: 'body', value: ({ distance }) => distance() }),
-    plot('Angular momentum', 'L, kg px²/s', { label: 'body', value: ({ world }) => -angularMomentum(world, CENTRE).z }),
+    plot('Angular momentum, clockwise', 'L, kg px²/s', {
+      label: 'body',
+      value: ({ world }) => angularMomentum(world, CENTRE).z,
+    }),
   ],
   checks: ({ at }) => [
     ...ranges(0),
     ...ranges(1, 'Gravity'),
     ...ranges(2, 'A spring'),
     {
-      label: 'How far the nearest point of 1/r moves on: 251.2° on, which is 108.8° back',
+      label: 'How far the nearest point of 1/r moves in a turn: 108.8° back',
       unit: '°',
       exact: -108.8,
       tolerance: { relative: 1e-3 },
@@ -106,9 +109,9 @@ export default defineExample({
     },
     at(
       60,
-      'Angular momentum after 60 s',
+      'Angular momentum after 60 s, clockwise',
       { exact: ({ speed }) => 200 * speed, unit: 'kg px²/s', relative: 1e-9 },
-      ({ world }) => Math.abs(angularMomentum(world, CENTRE).z),
+      ({ world }) => angularMomentum(world, CENTRE).z,
     ),
   ],
   tryThis: [

@@ -1,11 +1,21 @@
 import { boris, createPhysicsWorld, electricField, linearDrag, rgba, spawn } from '@principia/physics';
 import { defineExample } from '../define-example.ts';
-import { COLORS, type Point } from '../picture.ts';
+import { COLORS, type Line, type Point } from '../picture.ts';
 import { forceArrow, velocityArrow } from '../support/arrows.ts';
 import { distanceBetween, positionOf, speedOf, velocityOf } from '../support/read.ts';
 
 const START = { x: 350, y: 450 };
 const SPEED = 40;
+
+/** A cross with arms of a length. */
+function cross({ x, y }: Point, arm: number): Line[] {
+  return [-1, 1].map((sign) => ({
+    from: { x: x - arm, y: y - sign * arm },
+    to: { x: x + arm, y: y + sign * arm },
+    color: COLORS.violet,
+    width: 2,
+  }));
+}
 
 export default defineExample({
   id: 'ch10-magnetic-lorentz',
@@ -13,7 +23,7 @@ export default defineExample({
   chapter: 10,
   tags: ['magnetic field', 'electric field', 'circular motion'],
   about:
-    'A magnetic field, here out of the picture, pushes a moving charge at right angles to its path: it bends it into a circle of the radius m v/(q B), and never makes it faster or slower. A circle takes 2π m/(q B), however fast the charge. With an electric field too the circle drifts, across that field.',
+    'A magnetic field, here into the picture, pushes a moving charge at right angles to its path: it bends it into a circle of the radius m v/(q B), and never makes it faster or slower. A circle takes 2π m/(q B), however fast the charge. With an electric field too the circle drifts, across that field.',
   duration: 250,
   parameters: {
     magnetic: { label: 'Magnetic field B', unit: 'T', initial: 0.5, min: 0.1, max: 2 },
@@ -57,18 +67,18 @@ export default defineExample({
         minY: middle.y - 1.6 * reach,
         maxY: middle.y + 1.4 * reach,
       },
-      dots: grid.map(({ x, y }) => ({
-        at: { x: middle.x + x * reach, y: middle.y + y * reach },
-        radius: 3,
-        color: COLORS.violet,
-      })),
+      // Crosses are the feathers of arrows that point into the picture.
+      lines: grid.flatMap(({ x, y }) => cross({ x: middle.x + x * reach, y: middle.y + y * reach }, 0.03 * reach)),
       trails: [{ body: charge, length: 3000, interval: 4 }],
       arrows: [forceArrow(world, charge, 'force', force, 1.5), velocityArrow(world, charge, 1)],
     };
   },
   plots: (plot) => [
     plot('Speed', 'v, px/s', { label: 'charge', value: ({ world, charge }) => speedOf(world, charge) }),
-    plot('Height', 'y, px', { label: 'charge', value: ({ world, charge }) => positionOf(world, charge).y }),
+    plot('Height above the start', 'h, px', {
+      label: 'charge',
+      value: ({ world, charge }) => START.y - positionOf(world, charge).y,
+    }),
   ],
   checks: ({ at, largest }) => [
     largest(

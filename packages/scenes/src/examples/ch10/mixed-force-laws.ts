@@ -66,7 +66,7 @@ export default defineExample({
     };
   },
   plots: (plot) => [
-    plot('Energy of the yellow body, as if all centres were at rest', 'energy, J', {
+    plot('Energy of the yellow body, as if all centres were at rest', 'energy, kg px²/s²', {
       label: 'energy',
       value: ({ value }) => value(),
     }),
@@ -83,7 +83,7 @@ export default defineExample({
       'Energy of the yellow body after 4 s, the centres at rest',
       {
         exact: 250 + 1000 * log(Math.sqrt(50_000)) - 1e5 / Math.sqrt(80_000) - 5e6 / 90_000,
-        unit: 'J',
+        unit: 'kg px²/s²',
         relative: 1e-6,
         preset: 'All centres at rest',
       },

@@ -8,7 +8,7 @@ const SUNS = [
   { x: 500, y: 300 },
 ] as const;
 const GM = 1e6;
-/** Start, velocity and energy of the bodies, px, px/s and J. */
+/** Start, velocity and energy of the bodies, px, px/s and kg px²/s². */
 const BODIES = [
   { name: 'first', at: { x: 400, y: 300 }, v: { x: 0, y: 60 }, energy: -18200, color: rgba(0.4, 0.7, 1) },
   { name: 'second', at: { x: 400, y: 400 }, v: { x: 10, y: 60 }, energy: -12292.14, color: rgba(1, 0.55, 0.4) },
@@ -58,9 +58,9 @@ export default defineExample({
     };
   },
   plots: (plot) => [
-    plot('Height of the first body', 'y, px', {
+    plot('Height of the first body above the suns', 'h, px', {
       label: 'first',
-      value: ({ world, bodies }: Run) => positionOf(world, bodies[0]).y - 300,
+      value: ({ world, bodies }: Run) => 300 - positionOf(world, bodies[0]).y,
     }),
     plot(
       'Speeds',
@@ -77,8 +77,11 @@ export default defineExample({
         { name, energy },
         i, // The given energies have two digits after the point.
       ) =>
-        at(10, `Energy of the ${name} body after 10 s`, { exact: energy, unit: 'J', absolute: 5e-3 }, (run: Run) =>
-          energyOf(run, i),
+        at(
+          10,
+          `Energy of the ${name} body after 10 s`,
+          { exact: energy, unit: 'kg px²/s²', absolute: 5e-3 },
+          (run: Run) => energyOf(run, i),
         ),
     ),
     largest(

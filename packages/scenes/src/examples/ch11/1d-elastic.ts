@@ -47,7 +47,12 @@ export default defineExample({
       ({ right, v }) => v(right),
     ),
     at(4, 'Momentum afterwards', { exact: 6500, unit: 'kg px/s', relative: 1e-12 }, ({ world }) => momentum(world).x),
-    at(4, 'Energy afterwards', { exact: 187_500, unit: 'J', relative: 1e-12 }, ({ world }) => energy(world).kinetic),
+    at(
+      4,
+      'Energy afterwards',
+      { exact: 187_500, unit: 'kg px²/s²', relative: 1e-12 },
+      ({ world }) => energy(world).kinetic,
+    ),
     at(
       4,
       'Equal masses exchange their velocities: that of the left',

@@ -50,7 +50,7 @@ export default defineExample({
     at(
       4,
       'Energy that is lost, ½ μ (1 − e²) (u₁ − u₂)²',
-      { exact: lostEnergy, unit: 'J', absolute: 1e-6 },
+      { exact: lostEnergy, unit: 'kg px²/s²', absolute: 1e-6 },
       ({ world, start }) => start.energy - energy(world).kinetic,
     ),
     at(

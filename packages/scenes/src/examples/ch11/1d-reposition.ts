@@ -53,7 +53,7 @@ export default defineExample({
     };
   },
   plots: (plot) => [
-    plot('Gap between the balls', 'px', {
+    plot('Gap between the balls', 'gap, px', {
       label: 'in steps',
       value: ({ shown }) => shown()[1] - shown()[0] - 2 * RADIUS,
     }),

@@ -80,7 +80,7 @@ export default defineExample({
       { label: 'blue', value: ({ world, blue, vx }) => world.components.Mass.value[blue] * vx(blue) },
       { label: 'sum', value: ({ world }) => momentum(world).x },
     ),
-    plot('Energy', 'E, J', { label: 'both', value: ({ world }) => energy(world).kinetic }),
+    plot('Energy', 'E, kg px²/s²', { label: 'both', value: ({ world }) => energy(world).kinetic }),
   ],
   checks: ({ at }) => [
     at(
@@ -110,7 +110,7 @@ export default defineExample({
     at(
       2,
       'Energy lost, ½ μ (1 − e²) 200²',
-      { exact: 0.5 * (125 / 126) * 0.75 * 40_000, unit: 'J', relative: 1e-9, preset: 'Half elastic' },
+      { exact: 0.5 * (125 / 126) * 0.75 * 40_000, unit: 'kg px²/s²', relative: 1e-9, preset: 'Half elastic' },
       ({ world, lost }) => lost - energy(world).kinetic,
     ),
     at(
@@ -125,7 +125,7 @@ export default defineExample({
     at(
       2,
       'Energy after the oblique collision',
-      { exact: (10_000 + 900 + 2500 + 900) / 2, unit: 'J', relative: 1e-12, preset: 'Equal balls, oblique' },
+      { exact: (10_000 + 900 + 2500 + 900) / 2, unit: 'kg px²/s²', relative: 1e-12, preset: 'Equal balls, oblique' },
       ({ world }) => energy(world).kinetic,
     ),
   ],

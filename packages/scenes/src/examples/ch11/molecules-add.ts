@@ -85,7 +85,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Energy',
-      'E, J',
+      'E, kg px²/s²',
       { label: 'of the gas', value: ({ world }) => energy(world).kinetic },
       { label: 'brought along', value: ({ gas }) => gas.brought },
     ),

@@ -84,7 +84,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Mean energy',
-      'E, J',
+      'E, kg px²/s²',
       { label: 'light', value: ({ mean }) => mean(0) },
       { label: 'heavy', value: ({ mean }) => mean(1) },
     ),

@@ -48,7 +48,7 @@ export default defineExample({
       { label: 'along x', value: ({ world, ball }) => velocityOf(world, ball).x },
       { label: 'along y', value: ({ world, ball }) => velocityOf(world, ball).y },
     ),
-    plot('Energy', 'E, J', { label: 'ball', value: ({ world }) => energy(world).kinetic }),
+    plot('Energy', 'E, kg px²/s²', { label: 'ball', value: ({ world }) => energy(world).kinetic }),
   ],
   checks: ({ at }) => [
     at(
@@ -72,7 +72,7 @@ export default defineExample({
     at(
       2,
       'Energy lost to an inelastic wall, (1 − e²) ½ m v²',
-      { exact: 7200, unit: 'J', relative: 1e-9, preset: 'Inelastic wall' },
+      { exact: 7200, unit: 'kg px²/s²', relative: 1e-9, preset: 'Inelastic wall' },
       ({ world }) => (VX * VX + VY * VY) / 2 - energy(world).kinetic,
     ),
     at(

@@ -50,7 +50,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Energy',
-      'E, J',
+      'E, kg px²/s²',
       { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
       { label: 'potential', value: ({ world }) => energy(world).potential },
       { label: 'total', value: ({ world }) => energy(world).total },

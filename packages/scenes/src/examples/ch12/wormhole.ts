@@ -16,7 +16,7 @@ export default defineExample({
   chapter: 12,
   tags: ['gravity', 'particles', 'energy'],
   about:
-    'Stars fall into the black hole below and come out of the white one above, larger, slow and as if nothing had been. So they go round for ever, and none is lost. On the way down each keeps its energy: what it loses in height it gains in speed.',
+    'Stars fall into the black hole below and come out of the white one above, larger, slow and as if nothing had happened. So they go round for ever, and none is lost. On the way down each keeps its energy: what it loses in height it gains in speed.',
   duration: 30,
   parameters: {
     count: { label: 'Stars', initial: 1000, min: 1, max: 3000, integer: true },

@@ -73,7 +73,7 @@ export default defineExample({
   },
   plots: (plot) => [
     plot('Angular velocity', 'ω, rad/s', { label: 'weights', value: ({ omega }) => omega() }),
-    plot('Energy of motion', 'E, J', { label: 'weights', value: ({ world }) => energy(world).kinetic }),
+    plot('Energy of motion', 'E, kg px²/s²', { label: 'weights', value: ({ world }) => energy(world).kinetic }),
   ],
   checks: ({ at }) => [
     at(

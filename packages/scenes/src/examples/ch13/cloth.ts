@@ -77,7 +77,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Mean place of the knots',
-      'px',
+      'place, px',
       { label: 'x', value: ({ mean }) => mean('x') },
       { label: 'y', value: ({ mean }) => mean('y') },
     ),

@@ -125,7 +125,7 @@ export default defineExample({
     ),
   ],
   tryThis: [
-    'Compare box and disc: the disc is harder to turn though it is not as long.',
+    'Compare box and disc: both are 100 px long, but the disc is harder to turn, for more of it is far from the middle.',
     'Watch the plot: to halve its error takes four times as many points.',
   ],
 });

@@ -11,7 +11,7 @@ import {
 
 export default defineExample({
   id: 'ch14-implicit-euler',
-  title: 'Implicit Euler tires',
+  title: 'Implicit Euler loses',
   chapter: 14,
   tags: ['integrators', 'oscillation', 'stability'],
   about:

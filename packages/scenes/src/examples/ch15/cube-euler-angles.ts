@@ -14,7 +14,7 @@ export default defineExample({
   chapter: 15,
   tags: ['3D', 'rotation', 'spring'],
   about:
-    'A spring pulls the cube into the depth and back, and a torque turns it at the same time. Both motions do not know of each other: forces move the centre, torques turn the body about it. The cube swings with the period 2π √(m/k) and spins up as if it stood still.',
+    'A spring pulls the cube into the depth and back, and a torque turns it at the same time. Neither motion knows of the other: forces move the centre, torques turn the body about it. The cube swings with the period 2π √(m/k) and spins up as if it stood still.',
   dimensions: 3,
   duration: 30,
   parameters: {

@@ -16,7 +16,7 @@ export default defineExample({
   chapter: 15,
   tags: ['3D', 'rotation', 'quaternion'],
   about:
-    'The torque points along the diagonal, so the cube turns about a corner. Its orientation is kept as a quaternion, four numbers whose squares sum to 1. They know no forbidden directions, unlike three angles, and are easily put right again when rounding has made their sum a little wrong.',
+    'The torque points along a diagonal, so the cube turns about its diagonal. Its orientation is kept as a quaternion, four numbers whose squares sum to 1. They know no forbidden directions, unlike three angles, and are easily put right again when rounding has made their sum a little wrong.',
   dimensions: 3,
   duration: 20,
   parameters: {

@@ -22,8 +22,8 @@ export default defineExample({
   dimensions: 3,
   duration: 135,
   parameters: {
-    along: { label: 'Speed along x', unit: '1/s', initial: 5, min: 0, max: 15 },
-    aside: { label: 'Speed along z', unit: '1/s', initial: 14, min: 5, max: 15 },
+    along: { label: 'Speed along x', unit: 'px/s', initial: 5, min: 0, max: 15 },
+    aside: { label: 'Speed along z', unit: 'px/s', initial: 14, min: 5, max: 15 },
   },
   build({ along, aside }: ValuesOf<'along' | 'aside'>, { integrator = rungeKutta4 }: BuildOptions) {
     const world = createPhysicsWorld({ dimensions: 3, capacity: 4, forces: [attractors()], integrator });
@@ -52,13 +52,15 @@ export default defineExample({
     arrows: [{ label: 'v', from: () => state().r, vector: () => state().v, scale: 5, color: COLORS.green }],
   }),
   plots: (plot) => [
-    plot('Distance from the sun', 'r', { label: 'distance', value: ({ state }) => lengthOf(state().r) }),
+    plot('Distance from the sun', 'r, px', { label: 'distance', value: ({ state }) => lengthOf(state().r) }),
   ],
   checks: ({ at, largest }) => [
-    at(125, 'Semi-major axis after 125 s', { exact: 279.33, relative: 1e-5 }, ({ state }) =>
+    at(125, 'Semi-major axis after 125 s', { exact: 279.33, unit: 'px', relative: 1e-5 }, ({ state }) =>
       axisOf(state().r, state().v),
     ),
-    largest(125, 'Largest distance, a (1 + e)', { exact: 308.659, relative: 1e-5 }, ({ state }) => lengthOf(state().r)),
+    largest(125, 'Largest distance, a (1 + e)', { exact: 308.659, unit: 'px', relative: 1e-5 }, ({ state }) =>
+      lengthOf(state().r),
+    ),
     {
       label: 'Back at its nearest after a turn, 2π √(a³/GM)',
       unit: 's',
@@ -67,8 +69,11 @@ export default defineExample({
       at: { event: ({ state }) => dot(state().r, state().v), count: 1 },
     },
     // Rounding of a sum of 2500 steps of about 1.
-    largest(125, 'Largest distance from the plane of the start', { exact: 0, absolute: 1e-10 }, ({ state, normal }) =>
-      Math.abs(dot(state().r, normal)),
+    largest(
+      125,
+      'Largest distance from the plane of the start',
+      { exact: 0, unit: 'px', absolute: 1e-10 },
+      ({ state, normal }) => Math.abs(dot(state().r, normal)),
     ),
     at(
       125,
@@ -78,7 +83,7 @@ export default defineExample({
     ),
   ],
   tryThis: [
-    'Give it a speed of 14.14 in all: the orbit becomes a circle.',
+    'Give it a speed of 14.14 px/s in all: the orbit becomes a circle.',
     'Change the integrator to explicit Euler: the copies leave the ellipse.',
   ],
 });

@@ -63,7 +63,7 @@ export default defineExample({
     {
       title: 'Distance from where JPL has it at the end',
       x: { label: 't, days', value: ({ world }) => DAYS * world.time },
-      y: { label: '10⁹ m' },
+      y: { label: 'r, 10⁹ m' },
       series: INNER_PLANETS.map((name) => ({
         label: INNER_NAMES[name],
         value: (run: SolarRun) => 1e-6 * lastError(name)(run),

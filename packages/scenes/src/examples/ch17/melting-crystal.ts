@@ -95,7 +95,7 @@ export default defineExample({
     lines: linesOf(boxOf(-HALF_X, -HALF_Y, HALF_X, HALF_Y)),
   }),
   plots: (plot) => [
-    plot('Temperature', 'kT', { label: 'mean kinetic energy', value: ({ temperature }) => temperature() }),
+    plot('Temperature', 'energy, kT', { label: 'mean kinetic energy', value: ({ temperature }) => temperature() }),
     plot('Energy per atom', 'E', {
       label: 'kinetic and potential',
       value: ({ world, atoms }) => energy(world).total / atoms.length,

@@ -95,7 +95,7 @@ export default defineExample({
   plots: (plot) => [
     plot(
       'Wind, and the end of the flag',
-      'm/s',
+      'v, m/s',
       { label: 'wind', value: ({ wind }) => wind() },
       { label: 'end of the flag', value: ({ world, end }) => velocityOf(world, end).x },
     ),
