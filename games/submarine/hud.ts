@@ -16,9 +16,9 @@ const STYLE = `
 .sub-gauges i u { position: absolute; left: 50%; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff }
 .sub-gauges em { font-style: normal; color: #d5e9f5 }
 @media (max-width: 759px), (max-height: 479px) { .sub-panel { gap: 1px; bottom: 12px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
-@media (pointer: coarse) { .sub-panel { left: 104px } .sub-say { max-width: 38vw } }
+@media (pointer: coarse) { .sub-panel { left: 104px } .sub-goal, .sub-say { max-width: 38vw } }
 /* Low, so that it leaves the bed in sight. */
-@media (max-height: 479px) { .sub-gauges { grid-template-columns: auto 72px auto 72px } }
+@media (max-height: 479px) { .sub-gauges { grid-template-columns: auto 72px auto 72px } .sub-goal { font-size: 13.5px } .sub-goal, .sub-say { line-height: 1.15 } }
 /* A page that is enlarged has little height: one line each for the goal, a word, and all gauges. */
 @media (pointer: fine) and (max-height: 420px) { .sub-panel { left: 8px; right: 8px; bottom: 6px; padding: 2px 10px 4px; display: flex; flex-wrap: wrap; justify-content: space-between; gap: 0 14px }
   .sub-goal { font-size: 13.5px } .sub-depth { order: 1; font-size: 12px } .sub-say { max-width: none; font-size: 12px } .sub-say, .sub-gauges { order: 2; flex-basis: 100% } .sub-gauges { grid-template-columns: repeat(4, auto 44px); gap: 0 8px } }

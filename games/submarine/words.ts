@@ -33,7 +33,7 @@ const en = {
     ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap shows the crates'
     : 'Hold ↓ to flood the tank, ↑ to blow it out; ← → drive; X shows the crates. Or hold the mouse button where the boat should go.',
   goal: (taken: number, count: number) =>
-    `Bring ${count} crates from the bed to the ship before your air is gone: ${taken} aboard`,
+    `Bring ${count} crates up to the ship before your air is gone: ${taken} aboard`,
   allAboard: 'All aboard – come up beside the ship',
   tooDeep: 'Too deep – the hull gives way!',
   lowAir: 'Little compressed air is left: come up for more',
@@ -80,7 +80,7 @@ const de: Words = {
   start: isTouch
     ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen zeigt die Kisten'
     : 'Halte ↓, um den Tank zu fluten, ↑, um ihn auszublasen; ← → fahren; X zeigt die Kisten. Oder halte die Maus dorthin, wohin du willst.',
-  goal: (taken, count) => `Hol ${count} Kisten vom Grund zum Schiff, bevor die Atemluft zu Ende ist: ${taken} an Bord`,
+  goal: (taken, count) => `Hol ${count} Kisten herauf zum Schiff, bevor die Luft zu Ende ist: ${taken} an Bord`,
   allAboard: 'Alle an Bord – tauche neben dem Schiff auf',
   tooDeep: 'Zu tief – der Rumpf gibt nach!',
   lowAir: 'Kaum noch Druckluft: Tauche auf und hol neue',
