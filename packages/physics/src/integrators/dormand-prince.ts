@@ -4,7 +4,8 @@
 //
 // Fifth order for any smooth force, including forces that depend on velocity and time. Seven stages, the last of
 // which is the first of the next sub-step. The length h keeps the error of a sub-step, in position and velocity of
-// every body, below `tolerance` times their magnitude (or the floors, near the origin or at rest); a
+// every body, below `tolerance` times their magnitude (or the floors, near the origin or at rest, or the rounding of
+// forces that cancel, which is measured); a
 // proportional-integral controller (Gustafsson, ACM Trans. Math. Softw. 17, 533, 1991) chooses it. Not symplectic:
 // the energy drifts by about the tolerance per sub-step. If the force is singular or discontinuous, the step is
 // completed without error control and an E_STEP that names the body is reported. Sources: dormand-prince-tableau.ts.
@@ -20,17 +21,22 @@ import {
   findWorstRatio,
   GROWTH,
   LENGTH,
+  measureRounding,
+  NOISE,
   PASSED,
   POSITION_FLOOR,
   POWER,
   RATIO,
   restore,
   STEP,
+  type Stages,
   SUGGESTED,
   stagesOf,
   startOf,
+  TOLERANCE,
   takeSubStep,
   VELOCITY_FLOOR,
+  WAIT,
 } from './support/dormand-prince-stages.ts';
 import { denseWeights, positionWeightsOf } from './support/dormand-prince-tableau.ts';
 import {
@@ -42,9 +48,12 @@ import {
   subStep,
 } from './support/sub-steps.ts';
 
+/** Number of rejected attempts per measurement of rounding errors, unless the last found that they are why. */
+const MEASURE_EVERY = 8;
+
 /** Error control. */
 export interface DormandPrinceOptions {
-  /** Relative error of position and velocity per sub-step; default 1e-9, in f32 at least 1e-6. */
+  /** Relative error of position and velocity per sub-step, 1e-15 to 1e9; default 1e-9, in f32 at least 1e-6. */
   readonly tolerance?: number;
   /** Minimum magnitude of a position for the relative error, m; default 0. */
   readonly positionFloor?: number;
@@ -101,6 +110,8 @@ function advanceInterval(
   const stages = stagesOf(world);
   const { scalars } = stages;
   const tolerance = Math.max(limits.tolerance, world.precision === 'f32' ? 1e-6 : 0);
+  scalars[TOLERANCE] = tolerance;
+  scalars[NOISE] = 0;
   scalars[POSITION_FLOOR] = limits.positionFloor;
   scalars[VELOCITY_FLOOR] = limits.velocityFloor;
   let passed = 0;
@@ -138,9 +149,22 @@ function advanceInterval(
       scalars[POWER] = error;
       if (error < Infinity) powInPlace(scalars, POWER, 0.17);
       suggested = error < Infinity ? h / Math.min(5, scalars[POWER] / 0.9) : h / 5;
+      if (isNoise(world, ranges, stages, evaluateForces)) suggested = h;
     }
   }
   scalars[SUGGESTED] = suggested;
+}
+
+/** After a rejected attempt: returns whether its error is that of rounded forces, which then sets the floors. */
+function isNoise(world: PhysicsWorld, ranges: Ranges, stages: Stages, evaluate: EvaluateForces): boolean {
+  const { scalars } = stages;
+  if (--scalars[WAIT] > 0 || scalars[NOISE] > 0) return false;
+  measureRounding(world, ranges, stages, evaluate);
+  findWorstRatio(world, ranges, stages);
+  const isWithin = scalars[ERROR] <= scalars[TOLERANCE];
+  scalars[WAIT] = isWithin ? 0 : MEASURE_EVERY;
+  if (!isWithin) scalars[NOISE] = 0;
+  return isWithin;
 }
 
 /** Computes the growth factor of the next sub-step from ERROR, in units of the tolerance. */

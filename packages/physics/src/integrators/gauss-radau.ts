@@ -10,12 +10,15 @@
 // compensated (Kahan), so the energy error is a random walk near 1e-16 √steps. Not symplectic, but more accurate than
 // every symplectic scheme here. About 15 to 22 force evaluations per sub-step; an orbit takes about 30 to 60
 // sub-steps. For f64; in f32 it achieves seven digits. For smooth forces: a kink, as of a cord that goes slack, costs
-// many short sub-steps, and is not noticed at all after the last node.
+// many short sub-steps, and is not noticed at all after the last node. In an equilibrium, as of a hanging mass or at
+// terminal speed, the accelerations are rounding errors of forces that cancel, and no sub-step is short enough for a
+// tolerance relative to them: those errors are measured, and b₆ need not be smaller.
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { powInPlace } from '../math/elementary.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
+import { forceRounding } from './support/force-rounding.ts';
 import {
   CHANGE,
   clearRemovedBodies,
@@ -25,12 +28,15 @@ import {
   LENGTH,
   NEXT,
   NODES,
+  NOISE,
   PASSED,
   RADAU_COLUMNS,
   type Radau,
   radauOf,
+  START_ACCELERATION,
   STEP,
   SUGGESTED,
+  WAIT,
 } from './support/gauss-radau-table.ts';
 import {
   checkEvaluations,
@@ -43,7 +49,7 @@ import {
 
 /** Error control. */
 export interface GaussRadauOptions {
-  /** Maximum last term of the series, relative to the acceleration; default 1e-9. */
+  /** Maximum last term of the series, relative to the acceleration, 1e-12 to 1e9; default 1e-9. */
   readonly tolerance?: number;
   /**
    * Maximum number of force evaluations per step; default 4·10⁶ divided by the number of bodies, at most 50 000, and
@@ -60,6 +66,15 @@ const CONVERGED = { f32: 1e-7, f64: 1e-16 };
 
 /** Changes that no longer decrease count as rounding below this fraction. */
 const ROUNDING = { f32: 0.1, f64: 1e-9 };
+
+/**
+ * In b₆, the divided difference Σ w_j a(h_j) of the accelerations at the nodes, with w_j = Π_{k≠j} 1/(h_j - h_k),
+ * errors of the accelerations add up to this many times their size at most: Σ |w_j|.
+ */
+const AMPLIFICATION = 11525;
+
+/** Number of shortened sub-steps per measurement of rounding errors, unless the last found that they are why. */
+const MEASURE_EVERY = 8;
 
 /** A sub-step is repeated if its optimal length is below this fraction of its length. */
 const MIN_RATIO = 0.25;
@@ -118,11 +133,9 @@ function advanceInterval(
     scalars[STEP] = h;
     if (isNew) begin(world, ranges, radau, evaluate);
     predict(ranges, radau, isNew);
-    world.internal.isTrial = true;
     const converged = iterate(world, ranges, radau, evaluate);
-    world.internal.isTrial = false;
     scalars[NEXT] = 0;
-    if (converged) findNextLength(world, ranges, radau, tolerance);
+    if (converged) findNextLength(world, ranges, radau, evaluate, tolerance);
     const next = scalars[NEXT];
     isNew = next >= MIN_RATIO * h;
     if (isNew) {
@@ -164,12 +177,18 @@ function clearPolynomial(ranges: Ranges, { table, kernels, scalars }: Radau): vo
 /** Iterates the polynomial; returns whether it converged. */
 function iterate(world: PhysicsWorld, ranges: Ranges, radau: Radau, evaluate: EvaluateForces): boolean {
   const tolerance = CONVERGED[world.precision];
+  const { scalars } = radau;
   let previous = Number.POSITIVE_INFINITY;
+  scalars[NOISE] = -1;
   for (let i = 0; i < MAX_ITERATIONS; i++) {
     sweepNodes(world, ranges, radau, evaluate);
-    const change = radau.scalars[CHANGE];
+    const change = scalars[CHANGE];
     if (change <= tolerance) return true;
-    if (!(change < previous)) return previous < ROUNDING[world.precision];
+    if (!(change < previous)) {
+      if (previous < ROUNDING[world.precision]) return true;
+      measureRounding(world, ranges, radau, evaluate);
+      return previous * scalars[LARGEST] <= 2 * scalars[NOISE];
+    }
     // Convergence is linear, so the change of the next sweep is predictable.
     if (i > 0 && change * (change / previous) <= tolerance) return true;
     previous = change;
@@ -188,6 +207,7 @@ function sweepNodes(
   const h = scalars[STEP];
   let change = 0;
   let largest = 0;
+  world.internal.isTrial = true;
   for (let s = 1; s < NODES.length; s++) {
     for (let r = 0; r < count; r++) kernels.radauState(table, s, NODES[s], h, bounds[2 * r], bounds[2 * r + 1]);
     evaluate(world, ranges, world.time + scalars[PASSED] + NODES[s] * h);
@@ -198,6 +218,7 @@ function sweepNodes(
       largest = Math.max(largest, kernels.radauLargest());
     }
   }
+  world.internal.isTrial = false;
   scalars[CHANGE] = change === 0 ? 0 : change / largest;
   scalars[LARGEST] = largest;
 }
@@ -206,22 +227,45 @@ function sweepNodes(
 function findNextLength(
   world: PhysicsWorld,
   ranges: Ranges,
-  { table, kernels, scalars }: Radau,
+  radau: Radau,
+  evaluate: EvaluateForces,
   tolerance: number,
 ): void {
   const { bounds, count } = ranges;
-  const h = scalars[STEP];
-  const target = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0);
-  const largest = scalars[LARGEST];
+  const { table, kernels, scalars } = radau;
+  const target = Math.max(tolerance, world.precision === 'f32' ? 0.03 : 0) * scalars[LARGEST];
   let term = 0;
   for (let r = 0; r < count; r++) {
     term = Math.max(term, kernels.radauLargestOf(table, LAST_TERM, bounds[2 * r], bounds[2 * r + 1]));
   }
-  if (term <= largest * target * 4 ** -7) {
+  setNextLength(scalars, target, term);
+  if (scalars[NEXT] >= scalars[STEP] || (scalars[NOISE] < 0 && --scalars[WAIT] > 0)) return;
+  if (scalars[NOISE] < 0) measureRounding(world, ranges, radau, evaluate);
+  const isNoise = term <= scalars[NOISE];
+  scalars[WAIT] = isNoise ? 0 : MEASURE_EVERY;
+  if (isNoise) setNextLength(scalars, scalars[NOISE], term);
+}
+
+/** Writes the rounding error of b₆ to NOISE. */
+function measureRounding(world: PhysicsWorld, ranges: Ranges, radau: Radau, evaluate: EvaluateForces): void {
+  const { table, kernels, scalars, blocks, stride } = radau;
+  for (let r = 0; r < ranges.count; r++) {
+    kernels.radauState(table, 0, 0, 0, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
+  }
+  const [x, y, z = 0] = blocks.map((block) => block + START_ACCELERATION * stride);
+  const time = world.time + scalars[PASSED];
+  scalars[NOISE] = AMPLIFICATION * forceRounding(world, ranges, evaluate, time, { x, y, z });
+  scalars[EVALUATIONS]++;
+}
+
+/** Sets NEXT to the length for which the last term, now `term`, would be `target`. */
+function setNextLength(scalars: Float64Array, target: number, term: number): void {
+  const h = scalars[STEP];
+  if (term <= target * 4 ** -7) {
     scalars[NEXT] = MAX_GROWTH * h;
     return;
   }
-  scalars[NEXT] = (target * largest) / term;
+  scalars[NEXT] = target / term;
   powInPlace(scalars, NEXT, 1 / 7);
   scalars[NEXT] = Math.min(MAX_GROWTH * h, h * scalars[NEXT]);
 }

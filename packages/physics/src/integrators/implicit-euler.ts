@@ -7,17 +7,18 @@
 // matters. Newton's method solves R = 0; the linear systems are solved by matrix-free GMRES from differences of
 // forces (Knoll and Keyes, J. Comp. Phys. 193, 357, 2004). It stops when |R|, or the Newton step, is below
 // `tolerance` times the velocities, or below 1e-15 m/s in f32 and 1e-140 m/s in f64: for smaller values, squares such
-// as that of the length of a spring leave the range of numbers. If it does not converge, as for networks of springs
-// that a step would invert, the best velocities are used and an E_CONVERGENCE that names the body with the largest
-// residual is reported. 5 to about 100 force evaluations, depending on stiffness. A falling and swinging chain of 100
-// springs or more converges at k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd.
-// Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
+// as that of the length of a spring leave the range of numbers; and also when |R| is the rounding error of forces that
+// cancel, which is measured. If it does not converge, as for networks of springs that a step would invert, the best
+// velocities are used and an E_CONVERGENCE that names the body with the largest residual is reported. 5 to about 100
+// force evaluations, depending on stiffness. A falling and swinging chain of 100 springs or more converges at
+// k dt²/m = 100, at 10⁴ in most steps, at 10⁶ in none: shorten the step, or use xpbd. Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3.
 
 import { reportFault } from '../errors/report-fault.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { addScaled, copyVector, norm } from './support/body-vectors.ts';
+import { forceRounding } from './support/force-rounding.ts';
 import { solveLinear } from './support/gmres.ts';
 import {
   type Equation,
@@ -28,6 +29,7 @@ import {
   Scalar,
   VECTORS,
 } from './support/implicit-equation.ts';
+import { integratorKernels } from './support/integrator-kernels.ts';
 
 /** Error control. */
 export interface ImplicitEulerOptions {
@@ -67,7 +69,7 @@ export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
       copyVector(world, ranges, equation.start, Velocity);
       copyVector(world, ranges, equation.best, Velocity);
       if (!solveNewton(world, ranges, dt, evaluateForces, equation, tolerance)) {
-        reportNonConvergence(world, ranges, equation);
+        checkResidual(world, ranges, dt, evaluateForces, equation);
         // A NaN force must affect only its own body: the others take an explicit step.
         const { best, residual, scalars } = equation;
         norm(world, ranges, residual, scalars, Scalar.one);
@@ -134,13 +136,20 @@ function lineSearch(
   return false;
 }
 
-function reportNonConvergence(world: PhysicsWorld, ranges: Ranges, { residualColumns }: Equation): void {
+/** Reports the largest residual, unless it is the rounding error of forces that cancel. */
+function checkResidual(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+): void {
   let worstRow = 0;
   let largest = -1;
   for (let r = 0; r < ranges.count; r++) {
     for (let row = ranges.bounds[2 * r]; row < ranges.bounds[2 * r + 1]; row++) {
       for (const axis of AXES[world.dimensions]) {
-        const residual = Math.abs(residualColumns[axis][row]);
+        const residual = Math.abs(equation.residualColumns[axis][row]);
         if (residual > largest || Number.isNaN(residual)) {
           largest = residual;
           worstRow = row;
@@ -148,6 +157,7 @@ function reportNonConvergence(world: PhysicsWorld, ranges: Ranges, { residualCol
       }
     }
   }
+  if (largest <= dt * roundingAtEnd(world, ranges, dt, evaluate, equation)) return;
   reportFault(world, {
     code: 'E_CONVERGENCE',
     entity: worstRow,
@@ -156,4 +166,24 @@ function reportNonConvergence(world: PhysicsWorld, ranges: Ranges, { residualCol
     phase: 'integrate',
     hint: 'Take shorter steps, or use the integrator xpbd() for networks of very stiff springs.',
   });
+}
+
+/** Returns the rounding error of the accelerations after a step with the best velocities. */
+function roundingAtEnd(
+  world: PhysicsWorld,
+  ranges: Ranges,
+  dt: number,
+  evaluate: EvaluateForces,
+  equation: Equation,
+): number {
+  const { best, trialResidual: accelerations } = equation;
+  residualAt(world, ranges, dt, evaluate, equation, best, accelerations);
+  const { accelerationAxis } = integratorKernels(world);
+  for (const axis of AXES[world.dimensions]) {
+    for (let r = 0; r < ranges.count; r++) {
+      const [first, last] = [ranges.bounds[2 * r], ranges.bounds[2 * r + 1]];
+      accelerationAxis(accelerations[axis], world.scratch.at.force[axis], world.addresses.Mass.value, first, last);
+    }
+  }
+  return forceRounding(world, ranges, evaluate, world.time + dt, accelerations);
 }

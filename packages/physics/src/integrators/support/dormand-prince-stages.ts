@@ -8,6 +8,7 @@ import { allocateRecord, type MemoryRecord } from '../../memory/record.ts';
 import { namedResource } from '../../memory/resource.ts';
 import type { EvaluateForces, PhysicsWorld, Ranges } from '../../world/types.ts';
 import { A, AA, C, E, EA } from './dormand-prince-tableau.ts';
+import { forceRounding } from './force-rounding.ts';
 import { integratorKernels } from './integrator-kernels.ts';
 
 /** State kept between sub-steps: suggested length, last error, last length and end. */
@@ -25,12 +26,20 @@ export const STEP = 8;
 /** The growth factor of the next sub-step, and an intermediate power. */
 export const GROWTH = 9;
 export const POWER = 10;
-const SCALARS = 11;
+/** The rounding error of the accelerations, m/s², if it limits the accuracy of this step; else 0. */
+export const NOISE = 11;
+/** The number of rejected attempts until rounding errors are measured again. */
+export const WAIT = 12;
+export const TOLERANCE = 13;
+const SCALARS = 14;
 
 /** The error contains no term of the start velocity. */
 const NO_VELOCITY = [0];
 
 const STAGES = 7;
+
+/** Errors of the accelerations, times the step, add up to this many times their size in the error: Σ |e_i|. */
+const AMPLIFICATION = E.reduce((sum, weight) => sum + Math.abs(weight), 0);
 
 /** Nine columns per axis: the position at the start, then the velocity and the seven accelerations. */
 const COLUMNS = 2 + STAGES;
@@ -167,9 +176,10 @@ export function findWorstRatio(world: PhysicsWorld, ranges: Ranges, stages: Stag
   const { words, numbers } = error;
   const { Position, Velocity } = world.addresses;
   setWeights(stages, NO_VELOCITY, 0, EA, E);
+  const floorV = (AMPLIFICATION * scalars[NOISE] * scalars[STEP]) / scalars[TOLERANCE];
   numbers[EmbeddedErrorNumber.worst] = 0;
-  numbers[EmbeddedErrorNumber.floorX] = scalars[POSITION_FLOOR];
-  numbers[EmbeddedErrorNumber.floorV] = scalars[VELOCITY_FLOOR];
+  numbers[EmbeddedErrorNumber.floorX] = Math.max(scalars[POSITION_FLOOR], floorV * scalars[STEP]);
+  numbers[EmbeddedErrorNumber.floorV] = Math.max(scalars[VELOCITY_FLOOR], floorV);
   for (let r = 0; r < ranges.count; r++) {
     const first = ranges.bounds[2 * r];
     const last = ranges.bounds[2 * r + 1];
@@ -183,6 +193,14 @@ export function findWorstRatio(world: PhysicsWorld, ranges: Ranges, stages: Stag
     kernels.worstError(error.at, first, last);
   }
   scalars[ERROR] = numbers[EmbeddedErrorNumber.worst];
+}
+
+/** Writes the rounding error of the accelerations to NOISE; moves the bodies. */
+export function measureRounding(world: PhysicsWorld, ranges: Ranges, stages: Stages, evaluate: EvaluateForces): void {
+  const { at, stride, scalars } = stages;
+  restore(world, ranges, stages);
+  const accelerations = { x: at.x + 2 * stride, y: at.y + 2 * stride, z: at.z + 2 * stride };
+  scalars[NOISE] = forceRounding(world, ranges, evaluate, world.time + scalars[PASSED], accelerations);
 }
 
 /** Returns the start of the last sub-step for a body and axis. */

@@ -42,10 +42,15 @@ export const CHANGE = 5;
 export const EVALUATIONS = 6;
 /** The largest acceleration at the nodes, m/s². */
 export const LARGEST = 7;
-const SCALARS = 8;
+/** The rounding error of b₆ in the attempted sub-step, m/s²; negative: not measured. */
+export const NOISE = 8;
+/** The number of shortened sub-steps until rounding errors are measured again. */
+export const WAIT = 9;
+const SCALARS = 10;
 
-/** Column of an axis, kernels/integrators/radau.ts: b₆. */
+/** Columns of an axis, kernels/integrators/radau.ts: b₆, and the acceleration at the start. */
 export const LAST_TERM = 6;
+export const START_ACCELERATION = 14;
 
 export type Radau = ReturnType<typeof makeRadau>;
 
