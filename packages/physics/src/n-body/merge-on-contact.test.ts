@@ -4,6 +4,7 @@ import { spawn } from '../bodies/spawn.ts';
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { angularMomentum, centreOfMass, energy, momentum, totalMass } from '../diagnostics/energy.ts';
 import { bodies } from '../ecs/ranges.ts';
+import { particleContacts } from '../presets/particle-contacts.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import { mergeOnContact, mergers } from './merge-on-contact.ts';
@@ -76,6 +77,28 @@ describe('touching bodies merge', () => {
     expect(totalMass(world)).toBe(55);
     expect(centreOfMass(world).x).toBeCloseTo((1.5 * 330) / 55, 12);
     expect(mergers(world).total).toBe(10 - bodies(world).count);
+  });
+
+  test.each(['before', 'after'] as const)('%s the collisions of particleContacts', (place) => {
+    for (const restitution of [0, 1]) {
+      const world = createPhysicsWorld({ preset: particleContacts });
+      const { collide } = world.phases;
+      place === 'before' ? collide.unshift(mergeOnContact) : collide.push(mergeOnContact);
+      const collider = { radius: 0.5, restitution };
+      spawn(world, { position: {}, velocity: { x: 1 }, mass: 2, collider });
+      spawn(world, { position: { x: 1.2, y: 0.3 }, velocity: { x: -1 }, mass: 1, collider });
+      // A body that meets neither.
+      spawn(world, { position: { y: 10 }, velocity: { x: 1 }, mass: 1, collider });
+      for (let i = 0; i < 60; i++) step(world, 1 / 60);
+      expect(mergers(world).total).toBe(1);
+      const [first] = bodies(world).ids;
+      const { Position, Velocity } = world.components;
+      expect(Velocity.x[first]).toBeCloseTo(1 / 3, 12);
+      // The momentum across, which the impulse between the two exchanged, and their centre.
+      expect(Velocity.y[first]).toBeCloseTo(0, 12);
+      expect(Position.x[first]).toBeCloseTo(1.2 / 3 + 1 / 3, 12);
+      expect(Position.y[first]).toBeCloseTo(0.1, 12);
+    }
   });
 
   test('orbital angular momentum becomes spin', () => {

@@ -9,7 +9,8 @@
 // is lost. If it has a Charge it takes that of the other, too. Colour and other components of the absorbed body are lost.
 //
 // Valid for impact speeds below about the escape speed (Leinhardt & Stewart, ApJ 745, 79, 2012). Overlaps are found at
-// the end of the step. Cost: the broad phase, and 1 µs per merger.
+// the end of the step; after `collideBodies`, which parts bodies, its contacts of the step merge. Cost: the broad phase,
+// and 1 µs per merger.
 
 import { despawn } from '../bodies/spawn.ts';
 import { bitOf } from '../components/membership.ts';
@@ -48,18 +49,21 @@ export function mergers(world: PhysicsWorld): Mergers {
   return stateOf(world);
 }
 
-/** System of the `collide` phase: merges bodies with Mass whose colliders overlap. */
+/** System of the `collide` phase, before or after `collideBodies`: merges bodies with Mass whose colliders touch. */
 export function mergeOnContact(world: PhysicsWorld): void {
   const state = stateOf(world);
   const { into, absorbedIds } = state;
-  const { words } = findPairs(world);
+  const table = contactTable(world);
+  const { isResolved, words } = table;
+  if (!isResolved) findPairs(world);
+  table.isResolved = false;
   const count = words[Word.count];
   const pairs = new Uint32Array(world.memory.buffer);
   for (let c = 0; c < count; c++) {
     const a = remaining(into, pairs[words[Word.a] / 4 + c]);
     const b = remaining(into, pairs[words[Word.b] / 4 + c]);
-    if (a === b || !isFree(world, a) || !isFree(world, b) || !overlap(world, a, b)) continue;
-    merge(world, state, a, b);
+    if (a === b || !isFree(world, a) || !isFree(world, b)) continue;
+    if (isResolved || overlap(world, a, b)) merge(world, state, a, b);
   }
   state.lastStep = absorbedIds.length;
   state.total += absorbedIds.length;
@@ -70,13 +74,12 @@ export function mergeOnContact(world: PhysicsWorld): void {
   absorbedIds.length = 0;
 }
 
-function findPairs(world: PhysicsWorld) {
+function findPairs(world: PhysicsWorld): void {
   const kernels = collisionKernels(world);
   const { internal, lastId } = world;
   kernels.beginContacts();
   kernels.findPairs(internal.sweptRows, world.dimensions);
   kernels.sortContacts(lastId);
-  return contactTable(world);
 }
 
 /** Returns the body that `row` is part of. */
@@ -120,8 +123,9 @@ function merge(world: PhysicsWorld, state: State, a: number, b: number): void {
   Mass.value[survivor] = mass;
   if (isOpen(world, survivor, 'Charge')) Charge.value[survivor] += Charge.value[absorbed];
   Collider.radius[survivor] = radius;
-  // Until the end of the step the absorbed body exists without mass, and no force acts on it.
+  // Until the end of the step the absorbed body exists without mass or size: no force acts on it, and nothing touches it.
   Mass.value[absorbed] = 0;
+  Collider.radius[absorbed] = 0;
   state.into[absorbed] = survivor;
   state.absorbedIds.push(absorbed);
   world.versions.style++;

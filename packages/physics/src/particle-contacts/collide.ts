@@ -15,7 +15,7 @@
 
 import { namedResource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
-import { activateContacts } from './contact-table.ts';
+import { activateContacts, contactTable } from './contact-table.ts';
 import { collisionKernels } from './kernels.ts';
 import { clampToSegments } from './segment-walls.ts';
 
@@ -39,6 +39,7 @@ export const collideBodies: LocalSystem = {
       kernels.omitLinked(internal.springTable(world));
     const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
     kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId, confined ? 1 : 0);
+    contactTable(world).isResolved = true;
     if (confined) clampToSegments(world);
   },
 };
@@ -46,5 +47,6 @@ export const collideBodies: LocalSystem = {
 /** System of the `begin` phase: enables contacts and clears the wall contacts of the last step. */
 export function enableContacts(world: PhysicsWorld): void {
   contactsEnabled(world);
+  contactTable(world).isResolved = false;
   collisionKernels(world).beginWallContacts();
 }

@@ -16,6 +16,8 @@ export interface ContactTable {
   readonly table: number;
   /** Counters and column addresses, indexed by `Word`. */
   readonly words: Uint32Array;
+  /** Whether the table has what touched in this step, and the bodies have been parted. */
+  isResolved: boolean;
 }
 
 /** Maximum fraction of the free arena that contacts take, which leaves memory for other features. */
@@ -64,7 +66,7 @@ export const contactTable = namedResource<ContactTable>('contact table', (world)
   allocateSorted(world, words, allocateBytes);
   const { startVelocity, stage2 } = world.scratch.at;
   words.set([startVelocity.x, startVelocity.y, startVelocity.z, stage2.x, stage2.y], Word.startX);
-  return { table: at, words };
+  return { table: at, words, isResolved: false };
 });
 
 /** Enables wall contact records and gives the kernels the address of the table. */
