@@ -4,7 +4,7 @@
 // a stream of particles is the same for steps of any length, and has no gaps between frames.
 import { ageParticles } from './age';
 import { createParticle } from './birth';
-import { turnTo } from './turn';
+import { beginNozzle, nozzleU, nozzleV, nozzleW, nozzleX, nozzleY, nozzleZ, placeNozzle } from './turn';
 import { Burst, Emitter, word } from './record';
 
 export function stepEmitter(emitter: usize, dt: f64): void {
@@ -14,6 +14,7 @@ export function stepEmitter(emitter: usize, dt: f64): void {
   e.changed = 0;
   e.newborns = 0;
   ageParticles(e);
+  beginNozzle(e);
   if (e.emits != 0) emitStream(e);
   emitBursts(e);
   e.lastX = e.x;
@@ -33,16 +34,17 @@ function emitStream(e: Emitter): void {
   for (let born: i32 = 1, lastBirth = <i32>(count - skipped); born <= lastBirth; born++) {
     const sinceStart = (skipped + <f64>born - e.fractionalBirths) / e.rate;
     const t = sinceStart / e.pending;
-    turnTo(e, t);
+    placeNozzle(e, t);
+    const age = max<f64>(0, e.pending - sinceStart);
     createParticle(
       e,
-      e.lastX + (e.x - e.lastX) * t,
-      e.lastY + (e.y - e.lastY) * t,
-      e.lastZ + (e.z - e.lastZ) * t,
-      e.velocityX,
-      e.velocityY,
-      e.velocityZ,
-      max<f64>(0, e.pending - sinceStart),
+      e.lastX + (e.x - e.lastX) * t + nozzleX,
+      e.lastY + (e.y - e.lastY) * t + nozzleY,
+      e.lastZ + (e.z - e.lastZ) * t + nozzleZ,
+      e.velocityX + nozzleU,
+      e.velocityY + nozzleV,
+      e.velocityZ + nozzleW,
+      age,
       -1,
     );
   }
@@ -50,16 +52,16 @@ function emitStream(e: Emitter): void {
 }
 
 function emitBursts(e: Emitter): void {
-  turnTo(e, 1);
+  placeNozzle(e, 1);
   for (let b: i32 = 0; b < e.burstCount; b++) {
     const request = changetype<Burst>(e.bursts + <usize>b * offsetof<Burst>());
     const placed = request.placed != 0;
     const x = placed ? request.x : e.x;
     const y = placed ? request.y : e.y;
     const z = placed ? request.z : e.z;
-    const vx = request.velocityX + (placed ? 0 : e.velocityX);
-    const vy = request.velocityY + (placed ? 0 : e.velocityY);
-    const vz = request.velocityZ + (placed ? 0 : e.velocityZ);
+    const vx = request.velocityX + (placed ? 0 : e.velocityX + nozzleU);
+    const vy = request.velocityY + (placed ? 0 : e.velocityY + nozzleV);
+    const vz = request.velocityZ + (placed ? 0 : e.velocityZ + nozzleW);
     const pattern = <usize>request.pattern;
     const length = <i32>request.patternCount;
     for (let i: i32 = 0, count = <i32>request.count; i < count; i++) {
