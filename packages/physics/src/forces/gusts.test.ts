@@ -1,6 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import { forceOn, lawOn, run, single } from '../../../../test/support/laws.ts';
-import { correlatedGusts, createPhysicsWorld, linearDrag, PhysicsError, spawn, turbulentDrag } from '../index.ts';
+import {
+  correlatedGusts,
+  createPhysicsWorld,
+  createRandom,
+  linearDrag,
+  PhysicsError,
+  spawn,
+  turbulentDrag,
+} from '../index.ts';
 
 describe('correlated gusts', () => {
   const options = { mean: { x: 5 }, deviation: { x: 2, y: 3 }, time: 0.5, seed: 7 };
@@ -78,31 +86,35 @@ describe('turbulent drag', () => {
     }
   });
 
-  test('each component has the given deviation over a wide square', () => {
+  test('each component has the given deviation over a wide space, for any seed, and no two are correlated', () => {
+    const count = 2500;
     for (const dimensions of [2, 3] as const) {
-      const world = createPhysicsWorld({
-        capacity: 5000,
-        dimensions,
-        forces: [turbulentDrag({ ...options, modes: 200 })],
-      });
-      for (let i = 0; i < 4900; i++) {
-        const position = {
-          x: (i % 70) * 13.7,
-          y: Math.floor(i / 70) * 11.3,
-          ...(dimensions === 3 ? { z: i * 0.77 } : {}),
-        };
-        spawn(world, { position, velocity: {}, mass: 1, linearDrag: 1 });
-      }
-      forceOn(world, 1);
-      const { x, y, z } = world.scratch.force;
-      for (const column of dimensions === 3 ? [x, y, z] : [x, y]) {
-        const values = Array.from(column.subarray(1, 4901));
-        expect(Math.abs(values.reduce((a, b) => a + b, 0) / 4900)).toBeLessThan(0.2);
-        const deviation = Math.sqrt(values.reduce((a, b) => a + b * b, 0) / 4900);
-        expect(deviation).toBeGreaterThan(1.6);
-        expect(deviation).toBeLessThan(2.4);
+      for (const seed of [1, 2, 3, 4]) {
+        const forces = [turbulentDrag({ ...options, seed })];
+        const world = createPhysicsWorld({ capacity: 5000, dimensions, forces });
+        const random = createRandom(9);
+        const coordinate = () => random.uniform(-1e4, 1e4);
+        for (let i = 0; i < count; i++) {
+          const position = { x: coordinate(), y: coordinate(), ...(dimensions === 3 ? { z: coordinate() } : {}) };
+          spawn(world, { position, velocity: {}, mass: 1, linearDrag: 1 });
+        }
+        forceOn(world, 1);
+        const { x, y, z } = world.scratch.force;
+        const columns = (dimensions === 3 ? [x, y, z] : [x, y]).map((column) => [...column.subarray(1, count + 1)]);
+        const meanProduct = (a: number[], b: number[]) => a.reduce((sum, value, i) => sum + value * b[i], 0) / count;
+        // 3.5 standard errors of a sample: √(2/n) of the mean square, 1/√n of the correlation. Directions drawn at random
+        // alone would be off by 1/√32 of the amplitude.
+        for (const [i, a] of columns.entries()) {
+          expect(Math.abs(a.reduce((sum, value) => sum + value, 0) / count)).toBeLessThan(2 * (3.5 / Math.sqrt(count)));
+          expect(Math.abs(meanProduct(a, a) / 4 - 1)).toBeLessThan(3.5 * Math.sqrt(2 / count));
+          for (const b of columns.slice(0, i)) {
+            expect(Math.abs(meanProduct(a, b) / 4)).toBeLessThan(3.5 / Math.sqrt(count));
+          }
+        }
       }
     }
+    // A single wave cannot have two equal components.
+    expect(Math.abs(wind(turbulentDrag({ ...options, modes: 1 })).x)).toBeLessThan(4);
   });
 
   test('the field does not depend on the frame rate, and changes with time', () => {

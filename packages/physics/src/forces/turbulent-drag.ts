@@ -8,7 +8,9 @@
 // Every mode is a transverse wave, so u is free of divergence. Wave numbers form a geometric series from 1/largest to
 // 1/smallest eddy with the energies of Kolmogorov's spectrum (aⱼ² ∝ κ^(-2/3) per band), frequencies scale as κ^(2/3),
 // and directions, signs and phases come from the seed: Kraichnan, Phys. Fluids 13, 22 (1970); Fung et al., J. Fluid
-// Mech. 236, 281 (1992). u is a function of position and time, so its statistics cannot depend on the step. List no
+// Mech. 236, 281 (1992). Directions are drawn at random, then stretched alike, by 1/√modes or so, until the mean square of
+// each component is that of the deviation over wide spaces, for any seed, unless fewer than some ten modes share the
+// energy. u is a function of position and time, so its statistics cannot depend on the step. List no
 // other drag with it. Each mode takes 64 bytes of a world's memory, once. Cost: about 30 operations per body and
 // mode, and one square root per body.
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
@@ -27,7 +29,7 @@ import { type Wind, windParameter } from './support/wind.ts';
 export interface TurbulenceOptions {
   /** Mean wind, m/s; default zero. */
   readonly mean?: Wind;
-  /** Standard deviation of each component of the wind, m/s. */
+  /** Standard deviation of each component of the wind, m/s, over wide spaces. */
   readonly deviation: number;
   /** Size of the largest eddies, m. */
   readonly largest: number;
@@ -126,22 +128,58 @@ function drawModes(world: PhysicsWorld, take: TakeBytes, spectrum: Spectrum): Ta
   const ratios = Array.from({ length: count }, (_, j) => pow(largest / smallest, count === 1 ? 0 : j / (count - 1)));
   const energies = ratios.map((ratio) => pow(ratio, -2 / 3));
   const totalEnergy = energies.reduce((sum, energy) => sum + energy, 0);
-  for (let j = 0; j < count; j++) {
+  const modes = ratios.map((ratio, j) => {
     // Half the squared amplitude of a wave is its share of the mean square speed, deviation² per axis.
     const amplitude = deviation * Math.sqrt((2 * world.dimensions * energies[j]) / totalEnergy);
     const { wave, polarization } = world.dimensions === 2 ? drawPair2d(random) : drawPair3d(random);
-    const number = ratios[j] / largest;
+    const number = ratio / largest;
     const phase = random.uniform();
-    const frequency = (random.gaussian() * pow(ratios[j], 2 / 3)) / (2 * Math.PI * time);
-    const row = [
-      ...wave.map((component) => number * component),
-      ...polarization.map((component) => amplitude * component),
+    const frequency = (random.gaussian() * pow(ratio, 2 / 3)) / (2 * Math.PI * time);
+    return {
+      wave: wave.map((component) => number * component),
+      amplitude: polarization.map((component) => amplitude * component),
       phase,
       frequency,
-    ];
-    rows.set(row, MODE.length * j);
+    };
+  });
+  makeIsotropic(modes, world.dimensions, deviation);
+  for (const [j, { wave, amplitude, phase, frequency }] of modes.entries()) {
+    rows.set([...wave, ...amplitude, phase, frequency], MODE.length * j);
   }
   return { at, count };
+}
+
+/**
+ * Makes the mean products of components of the velocity, Σ a aᵀ/2, those of the ensemble: deviation² times the identity.
+ * With Σ a aᵀ/2 = deviation² L Lᵀ (Cholesky), amplitudes become L⁻¹ a and wave vectors Lᵀ κ, which keeps a·κ = 0. Few
+ * modes that lie near a plane, for which L is far from the identity, stay as they are.
+ */
+function makeIsotropic(
+  modes: readonly { readonly wave: number[]; readonly amplitude: number[] }[],
+  dimensions: 2 | 3,
+  deviation: number,
+): void {
+  const factor = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  for (let i = 0; i < dimensions; i++) {
+    for (let j = 0; j <= i; j++) {
+      let rest = modes.reduce((sum, { amplitude: a }) => sum + a[i] * a[j], 0) / (2 * deviation * deviation);
+      for (let k = 0; k < j; k++) rest -= factor[i][k] * factor[j][k];
+      if (i === j && rest < 0.25) return;
+      factor[i][j] = i === j ? Math.sqrt(rest) : rest / factor[j][j];
+    }
+  }
+  for (const { wave, amplitude } of modes) {
+    for (let i = 0; i < 3; i++) {
+      for (let k = 0; k < i; k++) amplitude[i] -= factor[i][k] * amplitude[k];
+      amplitude[i] /= factor[i][i];
+      wave[i] *= factor[i][i];
+      for (let k = i + 1; k < 3; k++) wave[i] += factor[k][i] * wave[k];
+    }
+  }
 }
 
 type Pair = { readonly wave: readonly number[]; readonly polarization: readonly number[] };
