@@ -18,7 +18,8 @@ type Writable<T> = { -readonly [Key in keyof T]: T[Key] };
 
 /**
  * Returns the kinetic energy of translation and rotation, and the potential energy of every conservative force. Sums
- * run in f64 over ascending ids. Bodies without mass do not contribute.
+ * run in f64 over ascending ids. Bodies without mass do not contribute, nor do the springs of joints: they are not
+ * among `world.forces`.
  * @param out written and returned: a reusable object, for calls in every frame
  * @throws PhysicsError E_DESTROYED
  */
