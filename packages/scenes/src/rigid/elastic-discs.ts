@@ -17,7 +17,7 @@ export const elasticDiscs = defineScene({
     const { count } = setup.parameters;
     const columns = Math.ceil(Math.sqrt(count));
     const half = 0.5 * DISTANCE * columns + 0.5;
-    const material = { density: 1, friction: 0, restitution: 1 };
+    const material = { friction: 0, restitution: 1 };
     const world = rigidWorld(setup, count + 4, 0);
     for (const side of [-1, 1]) {
       const away = side * (half + 0.5);
@@ -30,7 +30,7 @@ export const elasticDiscs = defineScene({
       const x = DISTANCE * ((i % columns) - 0.5 * (columns - 1));
       const y = DISTANCE * (Math.floor(i / columns) - 0.5 * (columns - 1));
       const velocity = { x: speeds[2 * i], y: speeds[2 * i + 1] };
-      spawn(world, { position: { x, y }, velocity, collider: { radius: RADIUS, ...material } });
+      spawn(world, { position: { x, y }, velocity, collider: { radius: RADIUS, density: 1, ...material } });
     }
     return { ...runOf(world, 0), losesEnergy: 'impacts slower than 1 m/s do not bounce' };
   },
