@@ -52,6 +52,8 @@ export class JointWork {
   i22: f64;
   // Of a rod or a rope that is pulled hard: the inverse of what weighs across it (brace-rods.ts), 1/kg; else 0.
   acrossInverse: f64;
+  // Part of its error that a sub-step corrects: less than 1 for a rod or a rope across what locks leave free (measure-joints.ts).
+  reach: f64;
   // Anchors from the centres of both bodies, in the axes of the world, and from the anchor of a to that of b, m.
   rax: f64;
   ray: f64;

@@ -73,6 +73,7 @@ function layOutJoint(t: JointTable, k: i32): void {
   work.parent = at.parent;
   work.limit = 0;
   work.acrossInverse = 0;
+  work.reach = 1;
   at.parentRow = at.parent == PARENT_B ? work.b : work.a;
   at.childRow = at.parent == PARENT_B ? work.a : work.b;
   at.impulseX = signOf(at) * impulsesOf(t, id).lock0;

@@ -1,13 +1,14 @@
 // The anchors and rows of a joint where its bodies are now.
 import { get } from '../../memory/columns';
 import { cosine, sine } from '../../math/elementary';
-import { BodyPose, BodyState, poseOf, stateOf, word } from '../../solver/2d/body';
+import { BodyPose, BodyState, LOCKED, flagsOf, poseOf, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { braceRod } from './brace-rods';
 import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
 import { chordOfLength, chordOfPoints, measureBends, partOfChord, withinSpeed } from './chords';
 import { measureHinge } from './hinge-locks';
 import { LOOP } from './joint-trees';
+import { coupling } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
@@ -173,8 +174,27 @@ function alongLine(t: JointTable, work: JointWork): void {
   const chord = withinSpeed(bent, work.slideX * ux + work.slideY * uy);
   setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance, chord);
   setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance, 0);
+  work.reach = reachOf(t, work, rowOf(work, MOTOR_ROW));
   if (work.parent != LOOP) braceRod(t, work, max<f64>(distance, MIN_DISTANCE));
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
   setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id), chord);
   work.locks = 1;
+}
+
+// Part of the inverse mass of two bodies that must be free along a rod, for it to correct its length in full.
+const REACH: f64 = 0.05;
+
+// What part of an error along a row its bodies can follow, if locks hold all that moves of them: across the axis that is left
+// free a small gap would want a long way, and at last there is none.
+function reachOf(t: JointTable, work: JointWork, row: JointRow): f64 {
+  const rigid = changetype<RigidTable>(t.rigid);
+  const a = <f64>poseOf(rigid, work.rowA).inverseMass;
+  const b = <f64>poseOf(rigid, work.rowB).inverseMass;
+  if (!isHeld(rigid, work.rowA, a) || !isHeld(rigid, work.rowB, b)) return 1;
+  return min<f64>(1, coupling(work, row, row) / (REACH * (a + b)));
+}
+
+// @ts-ignore: decorator
+@inline function isHeld(rigid: RigidTable, row: i32, inverseMass: f64): bool {
+  return inverseMass == 0 || (flagsOf(rigid, row) & LOCKED) != 0;
 }

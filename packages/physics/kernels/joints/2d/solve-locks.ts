@@ -209,9 +209,10 @@ export function gatherJoint(t: JointTable, rigid: RigidTable, k: i32, bias: f64,
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
   const sign = signOf(at);
-  r0.value = sign * (bias * r0.error + r0.chord);
-  r1.value = sign * (bias * r1.error + r1.chord);
-  r2.value = sign * (bias * r2.error + r2.chord);
+  const rate = bias * work.reach;
+  r0.value = sign * (rate * r0.error + r0.chord);
+  r1.value = sign * (rate * r1.error + r1.chord);
+  r2.value = sign * (rate * r2.error + r2.chord);
   const vx = <f64>state.vx;
   const vy = <f64>state.vy;
   const w = <f64>state.w;
@@ -298,9 +299,10 @@ function exertLoop(t: JointTable, rigid: RigidTable, k: i32, bias: f64): void {
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
-  const v0 = speedAlong(a, b, r0) + bias * r0.error + r0.chord;
-  const v1 = speedAlong(a, b, r1) + bias * r1.error + r1.chord;
-  const v2 = speedAlong(a, b, r2) + bias * r2.error + r2.chord;
+  const rate = bias * work.reach;
+  const v0 = speedAlong(a, b, r0) + rate * r0.error + r0.chord;
+  const v1 = speedAlong(a, b, r1) + rate * r1.error + r1.chord;
+  const v2 = speedAlong(a, b, r2) + rate * r2.error + r2.chord;
   const impulses = impulsesOf(t, work.id);
   const massScale = softness.massScale;
   const impulseScale = softness.impulseScale;

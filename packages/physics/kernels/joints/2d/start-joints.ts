@@ -43,15 +43,20 @@ export function clearMasses(t: JointTable, rigid: RigidTable): void {
 
 // Factor of a body's mass along a locked axis: large against all that is joined to it, and small enough to leave digits.
 const LOCKED_MASS: f64 = 1e8;
+// The same for a body that is free along one axis, which is flung along it by joints that pull across it, the farther the more
+// the locked axis resists them.
+const RAIL_MASS: f64 = 1e4;
 
 // Bodies of trees get the masses of their locked axes, to which joints add what hangs below them.
 function weighLocked(t: JointTable, rigid: RigidTable): void {
   for (let i = 0; i < t.bodyCount; i++) {
     const row = word(t.bodyRows, i);
     if ((flagsOf(rigid, row) & LOCKED) == 0) continue;
-    const locked = LOCKED_MASS * articulated(t, i).mass;
-    if (word(rigid.lockX, row) != 0) massOf(t, i).m00 += locked;
-    if (word(rigid.lockY, row) != 0) massOf(t, i).m11 += locked;
+    const x = word(rigid.lockX, row) != 0;
+    const y = word(rigid.lockY, row) != 0;
+    const locked = (x && y ? LOCKED_MASS : RAIL_MASS) * articulated(t, i).mass;
+    if (x) massOf(t, i).m00 += locked;
+    if (y) massOf(t, i).m11 += locked;
   }
 }
 
