@@ -25,8 +25,8 @@ import { addTorque, get, ix, iy, iz, loadBody, rotateBy, storeBody, wx, wy, wz }
 // Angle that a sub-step may rotate, rad: it errs by some 1e-6 of the angle.
 const MAX_ANGLE: f64 = 0.1;
 const MAX_SUBSTEPS: f64 = 64;
-// Fraction by which a sub-step may be shortened or lengthened. Only one that rotates by a radian or more wants more.
-const MAX_CORRECTION: f64 = 0.1;
+// Part to which a sub-step may be shortened. Only one that rotates by a radian or more wants more.
+const LEAST_PART: f64 = 0.9;
 const MAX_ITERATIONS: i32 = 12;
 // Change of the last iteration, squared and relative: the next change would be its square.
 const TOLERANCE: f64 = 1e-20;
@@ -73,35 +73,38 @@ function rotateFreely(dt: f64): void {
   turnBack(dt * h * h);
 }
 
-// Ends the rotation about L that sub-steps of length h add in a time dt: `scale` is dt h^2. It commutes with theirs.
+// Takes back the rotation about L that sub-steps of length h add in a time dt: `scale` is dt h^2. It commutes with theirs, and
+// does not change L, so the quaternion needs no length of 1.
 function turnBack(scale: f64): void {
   const lx = ix * wx;
   const ly = iy * wy;
   const lz = iz * wz;
   const excess = lx * lx + ly * ly + lz * lz - (lx * wx + ly * wy + lz * wz) * 0.5 * (ix + iy + iz);
-  const half = (-0.5 * scale * excess) / (6 * ix * iy * iz);
-  const norm = 1 / sqrt<f64>(1 + half * half * (lx * lx + ly * ly + lz * lz));
-  rotateBy(half * lx * norm, half * ly * norm, half * lz * norm, norm);
+  const half = (scale * excess) / (-12 * ix * iy * iz);
+  rotateBy(half * lx, half * ly, half * lz, 1);
 }
 
 // Solves I (m - omega) + half m x (I m) = 0 for the angular velocity m in the middle of a sub-step by Newton's method.
 function rotateByMidpoint(halfStep: f64): void {
+  const ex = iz - iy;
+  const ey = ix - iz;
+  const ez = iy - ix;
   // s h^2 = lagX wx^2 + lagY wy^2 + lagZ wz^2
   const scale = (halfStep * halfStep) / (3 * ix * iy * iz);
-  const lagX = scale * ix * (iz - ix) * (ix - iy);
-  const lagY = scale * iy * (ix - iy) * (iy - iz);
-  const lagZ = scale * iz * (iy - iz) * (iz - ix);
+  const lagX = scale * ix * ey * ez;
+  const lagY = scale * iy * ez * ex;
+  const lagZ = scale * iz * ex * ey;
   let half = halfStep;
   let x = wx;
   let y = wy;
   let z = wz;
   for (let i = 0; i < MAX_ITERATIONS; i++) {
     const lag = lagX * x * x + lagY * y * y + lagZ * z * z;
-    half = halfStep * (1 - max<f64>(-MAX_CORRECTION, min<f64>(MAX_CORRECTION, lag)));
-    // Differences of the moments: the components of m x (I m) are dx my mz, dy mz mx, dz mx my.
-    const dx = half * (iz - iy);
-    const dy = half * (ix - iz);
-    const dz = half * (iy - ix);
+    half = halfStep * max<f64>(LEAST_PART, 1 - lag);
+    // The components of m x (I m) are ex my mz, ey mz mx, ez mx my.
+    const dx = half * ex;
+    const dy = half * ey;
+    const dz = half * ez;
     const rx = ix * (x - wx) + dx * y * z;
     const ry = iy * (y - wy) + dy * z * x;
     const rz = iz * (z - wz) + dz * x * y;
