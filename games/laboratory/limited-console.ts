@@ -1,8 +1,8 @@
 /** The console of a reader's code: it takes no more lines at once than a page survives. */
 import { WORDS } from './words.ts';
 
-/** Lines that a piece of code may print before it lets others run; a thousandth of what stops a page. */
-const MAX_LINES = 10_000;
+/** Lines that a piece of code may print before it lets others run: they take a slow computer less than the time of a loop. */
+const MAX_LINES = 2_000;
 const METHODS = ['log', 'info', 'debug', 'warn', 'error'] as const;
 
 /** @param fail makes the error that ends code which prints too much */

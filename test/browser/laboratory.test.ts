@@ -464,7 +464,7 @@ describe('the code of an example', () => {
     const page = await laboratory.open('example=ch05-floating-ball&code=on&manual');
     await page.waitForSelector('.lab-code textarea');
     await edit(page, 'const body =', 'for (let i = 0; i < 1e6; i++) console.log(i); const body =');
-    expect(await note(page)).toMatch(/^Line \d+: The code prints more than 10000 lines/);
+    expect(await note(page)).toMatch(/^Line \d+: The code prints more than 2000 lines/);
     await steps(page, 10);
     expect((await state(page)).tick).toBe(10);
   });
