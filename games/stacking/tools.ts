@@ -18,7 +18,7 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 .st-tools button:hover { background: #ffffff1c } .st-tools button:focus-visible { outline: 2px solid var(--accent) }
 .st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 /* Legible on blocks of any colour. */
-.game-hint { bottom: 78px; width: fit-content; margin: 0 auto; padding: 4px 14px; border-radius: 12px; background: #141b36d9 }
+.game-hint { bottom: 78px; width: fit-content; height: fit-content; margin: 0 auto; padding: 4px 14px; border-radius: 12px; background: #141b36d9 }
 /* For a mouse the buttons stand at the left, above the tools. */
 @media (pointer: fine) { .game .game-pad { left: 16px; bottom: 136px; grid: auto-flow 48px / 48px; justify-content: start }
   .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 84px; width: 48px; height: 48px } }
