@@ -18,7 +18,7 @@ export function omitLinked(springs: usize): void {
     if (get(s.length, load<i32>(link)) >= get(c.radius, a) + get(c.radius, b)) continue;
     omitted += omit(t, min<i32>(a, b), max<i32>(a, b));
   }
-  if (omitted > 0) closeRanks(t);
+  if (omitted > 0) compactContacts(t);
 }
 
 function omit(t: ContactTable, a: i32, b: i32): i32 {
@@ -30,7 +30,7 @@ function omit(t: ContactTable, a: i32, b: i32): i32 {
   return 0;
 }
 
-function closeRanks(t: ContactTable): void {
+function compactContacts(t: ContactTable): void {
   let kept = 0;
   for (let i = 0; i < t.count; i++) {
     if (word(t.b, i) == 0) continue;

@@ -15,7 +15,7 @@
 //   12 s = sum of (Iz - Ix) (Ix - Iy) / (Iy Iz) wx^2 over cyclic permutations       in the middle of the step
 //   12 r = (2 L^2 - 2 E (Ix + Iy + Iz)) / (Ix Iy Iz),  E the kinetic energy         constant
 //
-// A step that is shorter by h^2 s and a rotation back have order 4, and keep what was kept. The idea is that of Hairer and
+// With a step that is shorter by h^2 s and a rotation back the scheme has order 4, and still keeps both. The idea is that of Hairer and
 // Vilmart, Preprocessed discrete Moser-Veselov algorithm for the full dynamics of a rigid body, J. Phys. A 39 (2006),
 // 13225-13235; the terms follow from the modified equation of the midpoint rule (Hairer, Lubich and Wanner, Geometric
 // Numerical Integration, IX.1) and the Magnus series of the orientation.

@@ -13,6 +13,7 @@
 // iteration, of which two or three suffice.
 import { columns, get, put } from '../memory/columns';
 import { SpringTable } from '../forces/springs';
+import { complianceOf } from './chain-node';
 import { solveDualChain } from './dual-chain';
 import { packBody } from './nodes';
 import { stretchBetweenAnchors } from './overstretched';
@@ -127,7 +128,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool
     const length = get(t.length, row);
     const tension = <f64>get(t.tension, row);
     const restLength = abs<f64>(<f64>length);
-    const e = gain > 0 ? <f64>get(t.softness, row) / gain : 0;
+    const e = complianceOf(t, row);
     const error = d - restLength - e * tension;
     const slack = isTensionOnly(length) && error <= 0 && tension <= 0;
     const wa = <f64>packedComponent(pa, 3);

@@ -17,8 +17,9 @@
 // Nothing is divided by s, which is zero in a straight chain from an anchor. Source: Bertsekas: Nonlinear Programming,
 // section 6.1. Cost: 400 operations per row and iteration, of about ten.
 import { get, put } from '../memory/columns';
+import { ChainNode, complianceOf, mobilityOf, readBody, writeBody } from './chain-node';
 import { Symmetric, invert } from './symmetric';
-import { ConstraintTable, isTensionOnly, packedAt, packedComponent, putPackedComponent, word } from './table';
+import { ConstraintTable, isTensionOnly } from './table';
 
 // Bytes of scratch memory per body of a chain.
 const NODE_BYTES: usize = 376;
@@ -32,24 +33,11 @@ const ARMIJO: f64 = 1e-4;
 const MIN_TRANSVERSE: f64 = 1e-12;
 
 @unmanaged
-class Node {
-  x: f64;
-  y: f64;
-  z: f64;
-  toX: f64;
-  toY: f64;
-  toZ: f64;
-  // P and q of the header.
-  xx: f64;
-  xy: f64;
-  xz: f64;
-  yy: f64;
-  yz: f64;
-  zz: f64;
+class Node extends ChainNode {
+  // q of the header.
   qx: f64;
   qy: f64;
   qz: f64;
-  mass: f64;
   // B, v, u, n, y, s and k of the row from this body to the next.
   bxx: f64;
   bxy: f64;
@@ -86,17 +74,6 @@ class Node {
   return changetype<Node>(t.scratch + <usize>row * NODE_BYTES);
 }
 
-// @ts-ignore: decorator
-@inline function bodyOf(t: ConstraintTable, row: i32, last: i32): u32 {
-  return row < last ? word(t.a, row) : word(t.b, row - 1);
-}
-
-// @ts-ignore: decorator
-@inline function complianceOf(t: ConstraintTable, row: i32): f64 {
-  const gain = <f64>get(t.gain, row);
-  return gain > 0 ? <f64>get(t.softness, row) / gain : 0;
-}
-
 // The largest relative length error at the last evaluation.
 let largestError: f64 = 0;
 
@@ -105,12 +82,7 @@ export function solveDualChain(t: ConstraintTable, first: i32, last: i32): bool 
   const tolerance: f64 = sizeof<real>() == 4 ? 1e-6 : 1e-11;
   for (let row = first; row <= last; row++) {
     const node = nodeOf(t, row);
-    const p = packedAt(t, bodyOf(t, row, last));
-    const w = <f64>packedComponent(p, 3);
-    node.mass = w > 0 ? 1 / w : 0;
-    node.toX = <f64>packedComponent(p, 0);
-    node.toY = <f64>packedComponent(p, 1);
-    node.toZ = <f64>packedComponent(p, 2);
+    readBody(t, row, last, node);
     node.from = node.change = 0;
   }
   let value = evaluate(t, first, last, 0);
@@ -127,11 +99,7 @@ export function solveDualChain(t: ConstraintTable, first: i32, last: i32): bool 
   for (let row = first; row <= last; row++) {
     const node = nodeOf(t, row);
     if (row < last) put(t.tension, row, <real>(node.multiplier * node.distance));
-    if (node.mass == 0) continue;
-    const p = packedAt(t, bodyOf(t, row, last));
-    putPackedComponent(p, 0, <real>node.x);
-    putPackedComponent(p, 1, <real>node.y);
-    putPackedComponent(p, 2, <real>node.z);
+    writeBody(t, row, last, node);
   }
   return true;
 }
@@ -284,11 +252,6 @@ function findStep(t: ConstraintTable, first: i32, last: i32): f64 {
 // @ts-ignore: decorator
 @inline function inverseOf(node: Node): Symmetric {
   return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('bxx'));
-}
-
-// @ts-ignore: decorator
-@inline function mobilityOf(node: Node): Symmetric {
-  return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('xx'));
 }
 
 // Computes P and q of the body after a row.

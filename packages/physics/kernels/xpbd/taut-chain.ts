@@ -15,8 +15,9 @@
 // angular frequency w loses about w^2 h/2 of its energy per second. Cost: 250 operations per link and iteration,
 // of two to four.
 import { get, put } from '../memory/columns';
+import { ChainNode, complianceOf, mobilityOf, readBody, writeBody } from './chain-node';
 import { Symmetric, invert } from './symmetric';
-import { ConstraintTable, isTensionOnly, packedAt, packedComponent, putPackedComponent, word } from './table';
+import { ConstraintTable, isTensionOnly, packedAt, packedComponent, word } from './table';
 
 // Bytes of scratch memory per body of a chain.
 const NODE_BYTES: usize = 232;
@@ -32,21 +33,8 @@ const MIN_COMPLIANCE: f64 = 1e-12;
 const MIN_TRANSVERSE: f64 = 1e-4;
 
 @unmanaged
-class Node {
-  // Position, and predicted position without springs.
-  x: f64;
-  y: f64;
-  z: f64;
-  toX: f64;
-  toY: f64;
-  toZ: f64;
-  // P and r of the header.
-  xx: f64;
-  xy: f64;
-  xz: f64;
-  yy: f64;
-  yz: f64;
-  zz: f64;
+class Node extends ChainNode {
+  // r of the header.
   rx: f64;
   ry: f64;
   rz: f64;
@@ -64,7 +52,6 @@ class Node {
   compliance: f64;
   transverse: f64;
   active: f64;
-  mass: f64;
 }
 
 // @ts-ignore: decorator
@@ -102,30 +89,13 @@ export function solveTautChain(t: ConstraintTable, first: i32, last: i32): bool 
   for (let row = first; row <= last; row++) {
     const node = nodeOf(t, row);
     if (row < last && isTensionOnly(get(t.length, row))) put(t.tension, row, max<real>(0, get(t.tension, row)));
-    if (node.mass == 0) continue;
-    const p = packedAt(t, bodyOf(t, row, last));
-    putPackedComponent(p, 0, <real>node.x);
-    putPackedComponent(p, 1, <real>node.y);
-    putPackedComponent(p, 2, <real>node.z);
+    writeBody(t, row, last, node);
   }
   return true;
 }
 
-// @ts-ignore: decorator
-@inline function bodyOf(t: ConstraintTable, row: i32, last: i32): u32 {
-  return row < last ? word(t.a, row) : word(t.b, row - 1);
-}
-
 function loadBodies(t: ConstraintTable, first: i32, last: i32): void {
-  for (let row = first; row <= last; row++) {
-    const node = nodeOf(t, row);
-    const p = packedAt(t, bodyOf(t, row, last));
-    const w = <f64>packedComponent(p, 3);
-    node.mass = w > 0 ? 1 / w : 0;
-    node.x = node.toX = <f64>packedComponent(p, 0);
-    node.y = node.toY = <f64>packedComponent(p, 1);
-    node.z = node.toZ = <f64>packedComponent(p, 2);
-  }
+  for (let row = first; row <= last; row++) readBody(t, row, last, nodeOf(t, row));
 }
 
 // Computes directions and errors of the rows; returns the largest relative length error. A tension-only row that was
@@ -148,7 +118,7 @@ function updateRows(t: ConstraintTable, first: i32, last: i32, isRepeated: bool)
     const length = get(t.length, row);
     const restLength = abs<f64>(<f64>length);
     const tension = <f64>get(t.tension, row);
-    const e = gain > 0 ? <f64>get(t.softness, row) / gain : 0;
+    const e = complianceOf(t, row);
     const slack = isTensionOnly(length) && d <= restLength && tension <= 0 && !(isRepeated && a.active > 0);
     const active = gain > 0 && !slack;
     const mass = a.mass + b.mass;
@@ -213,11 +183,6 @@ function eliminate(t: ConstraintTable, first: i32, last: i32): void {
   const xz = node.xz + k * x * z;
   const yz = node.yz + k * y * z;
   invert(stiffnessOf(node), xx, xy, xz, yy, yz, zz);
-}
-
-// @ts-ignore: decorator
-@inline function mobilityOf(node: Node): Symmetric {
-  return changetype<Symmetric>(changetype<usize>(node) + offsetof<Node>('xx'));
 }
 
 // @ts-ignore: decorator

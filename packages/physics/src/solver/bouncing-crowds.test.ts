@@ -1,4 +1,4 @@
-// Bodies that were put in one place and bounce: they part as those that do not, and what stands still holds them.
+// Bodies with restitution that were put in one place separate without bouncing, and do not pass through a plane.
 import { box, capsule, contactEvents, spawn, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { DT, G, rigidWorld } from '../../../../test/support/rigid-world.ts';

@@ -6,8 +6,8 @@ import { RigidTableNumber as Value } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
-/** What the usual length of a sub-step loses in each shorter one: some ten of these become usual in their turn. */
-const FORGETTING = 0.75;
+/** Factor of the recent length of sub-steps in each step that is shorter. */
+const DECAY = 0.75;
 
 /** Joints keep the whole impulses of a short step, and so may grow by no more than this in the next one. */
 const MAX_JOINT_GROWTH = 8;
@@ -17,10 +17,10 @@ export function beginSubsteps(world: PhysicsWorld, h: number): void {
   const { at, numbers } = rigidTable(world);
   const before = numbers[Value.h];
   if (before > 0 && before !== h) scaleImpulses(world, at, h / before);
-  const usual = Math.max(h, FORGETTING * numbers[Value.usualLength]);
+  const recent = Math.max(h, DECAY * numbers[Value.recentLength]);
   numbers[Value.h] = h;
-  numbers[Value.usualLength] = usual;
-  numbers[Value.kept] = h / usual;
+  numbers[Value.recentLength] = recent;
+  numbers[Value.impulseWeight] = h / recent;
 }
 
 function scaleImpulses(world: PhysicsWorld, at: number, factor: number): void {

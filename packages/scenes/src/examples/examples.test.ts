@@ -167,7 +167,7 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
       for (const [i, { state, computed, exact }] of run.checkStates().entries()) {
         const figure = `${settings}, ${example.checks[i].label}: ${computed} instead of ${exact}`;
         expect(state, figure).not.toBe('failed');
-        // A run that has ended keeps nobody waiting.
+        // No figure of a run that has ended is still waiting.
         if (example.ends && isPreset) expect(state, figure).not.toBe('waiting');
       }
       expect(run.world.faults.faults, settings).toEqual([]);

@@ -43,8 +43,8 @@ export function clearMasses(t: JointTable, rigid: RigidTable): void {
 
 // Factor of a body's mass along a locked axis: large against all that is joined to it, and small enough to leave digits.
 const LOCKED_MASS: f64 = 1e8;
-// The same for a body that is free along one axis, which is flung along it by joints that pull across it, the farther the more
-// the locked axis resists them.
+// The same for a body with one free axis. Joints that pull across that axis fling the body along it, the faster the heavier the
+// locked axis is.
 const RAIL_MASS: f64 = 1e4;
 
 // Bodies of trees get the masses of their locked axes, to which joints add what hangs below them.

@@ -244,8 +244,7 @@ export function limitCrowdEnergies(table: usize): void {
   for (let i = 0; i < t.crowdedCount; i++) {
     const row = word(t.crowded, i);
     const crowd = crowdOf(t, islandOf(t, row));
-    if (isDeepCrowd(crowd) && crowd.energy > crowd.energyBefore)
-      scale(t, row, crowd, sqrt<f64>(crowd.energyBefore / crowd.energy));
+    if (isDeepCrowd(crowd)) boundEnergy(t, row, crowd, crowd.energyBefore);
   }
 }
 
@@ -256,8 +255,13 @@ export function endCrowds(table: usize): void {
   for (let i = 0; i < t.crowdedCount; i++) {
     const row = word(t.crowded, i);
     const crowd = crowdOf(t, islandOf(t, row));
-    if (crowd.energy > crowd.given) scale(t, row, crowd, sqrt<f64>(max<f64>(0, crowd.given) / crowd.energy));
+    boundEnergy(t, row, crowd, max<f64>(0, crowd.given));
   }
+}
+
+// @ts-ignore: decorator
+@inline function boundEnergy(t: RigidTable, row: i32, crowd: Crowd, bound: f64): void {
+  if (crowd.energy > bound) scale(t, row, crowd, sqrt<f64>(bound / crowd.energy));
 }
 
 function scale(t: RigidTable, row: i32, crowd: Crowd, factor: f64): void {

@@ -107,7 +107,7 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, contact.tangentSpeed, block.TANGENT_SPEED);
   store<real>(lane, contact.rollingResistance, block.ROLLING);
   store<real>(lane, contact.rollingImpulse, block.ROLLING_IMPULSE);
-  // What was put into each other is pushed apart, and does not bounce.
+  // Bodies that were put into each other are pushed apart without bouncing.
   store<real>(lane, (contact.flags & IS_DEEP) != 0 ? <real>0 : contact.restitution, block.RESTITUTION);
   store<real>(lane, roundingAt(t, contact.a), block.ROUNDING_A);
   store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
@@ -163,18 +163,18 @@ export function storeImpulses(table: usize): void {
   for (let i = 0; i < t.touchingCount; i++) {
     const place = takeLane(t, word(t.touching, 2 * i + 1));
     const lane = block.blockOf(t, place / LANES) + laneOffset(place & (LANES - 1));
-    storeContact(contactAt(t, word(t.touching, 2 * i)), lane, <real>t.kept);
+    storeContact(contactAt(t, word(t.touching, 2 * i)), lane, <real>t.impulseWeight);
   }
 }
 
 // @ts-ignore: decorator
-@inline function storeContact(contact: RigidContact, lane: usize, kept: real): void {
-  contact.rollingImpulse = blend(contact.rollingImpulse, load<real>(lane, block.ROLLING_IMPULSE), kept);
+@inline function storeContact(contact: RigidContact, lane: usize, weight: real): void {
+  contact.rollingImpulse = blend(contact.rollingImpulse, load<real>(lane, block.ROLLING_IMPULSE), weight);
   for (let p = 0; p < contact.count; p++) {
     const point = pointOf(contact, p);
     const from = lane + block.POINTS + <usize>p * block.POINT;
-    point.normalImpulse = blend(point.normalImpulse, load<real>(from, block.NORMAL_IMPULSE), kept);
-    point.tangentImpulse = blend(point.tangentImpulse, load<real>(from, block.TANGENT_IMPULSE), kept);
+    point.normalImpulse = blend(point.normalImpulse, load<real>(from, block.NORMAL_IMPULSE), weight);
+    point.tangentImpulse = blend(point.tangentImpulse, load<real>(from, block.TANGENT_IMPULSE), weight);
     point.totalImpulse = load<real>(from, block.TOTAL_IMPULSE);
     point.normalSpeed = load<real>(from, block.NORMAL_SPEED);
   }

@@ -5,9 +5,9 @@ export class RigidTable {
   // Length of the step and of a sub-step, s.
   dt: f64;
   h: f64;
-  // Sub-steps of late, s, and how much of what contacts of this step found is kept: see solver/2d/scale-impulses.ts.
-  usualLength: f64;
-  kept: f64;
+  // Recent length of sub-steps, s, and the weight of the impulses of this step in those that contacts keep (scale-impulses.ts).
+  recentLength: f64;
+  impulseWeight: f64;
   // Contacts as damped springs: frequency, Hz, damping ratio, and the fastest speed at which overlap is pushed out, m/s.
   contactHertz: f64;
   contactDampingRatio: f64;

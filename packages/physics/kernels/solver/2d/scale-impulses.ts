@@ -1,7 +1,7 @@
 // Where steps differ in length. What contacts keep for the next step are impulses of a sub-step, and those of what rests are in
-// proportion to its length. A step that is much shorter than those of late also ends what they left unsolved: impulses of speeds,
-// not of forces, which would grow by the ratio of lengths in the next long step. Of such a step's impulses only the part that is
-// its length to that of late is kept (RigidTable.kept), of what was kept before the rest.
+// proportion to its length. A step that is much shorter than recent ones also corrects the speeds that they left unsolved: those
+// impulses have nothing to do with its length, and would grow by the ratio of lengths in the next long step. So contacts keep a
+// weighted mean of old and new impulses, in which the new ones have the weight of the length to the recent one.
 import { contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { word } from './body';
 import { RigidTable } from './rigid-table';

@@ -19,7 +19,7 @@ export function findRigidPairs(table: usize): void {
   if (t.enlargedCount == 0 && t.staticTreeValid != 0 && t.movingTreeValid != 0) return;
   updateStaticTree(t);
   updateMovingTree(t);
-  // Where there is no room for all pairs, those of bodies that move go: what stands still must hold.
+  // Pairs with static bodies come first: where there is no room for all pairs, these must not be dropped.
   if (t.movingNodeCount > 0) {
     if (t.staticNodeCount > 0) findBetween(t, t.movingNodes, 0, t.staticNodes, 0);
     findWithin(t, t.movingNodes, 0);

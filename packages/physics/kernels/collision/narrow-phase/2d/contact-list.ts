@@ -6,7 +6,7 @@ import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { RIGID_CONTACT_SIZE, RigidContact, SENSES, SENSOR_IS_B, contactAt } from './rigid-contact';
 
-// Part of the room for contacts that is kept for bodies and what does not move.
+// Part of the room for contacts that is reserved for pairs of a dynamic body and a static or kinematic one: 1/STATIC_PART.
 const STATIC_PART: i32 = 8;
 
 // Adds a contact for every new pair of t.pairs, which is sorted. The list is merged from its end, so that it needs no room.
