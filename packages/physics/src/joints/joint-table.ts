@@ -18,6 +18,9 @@ import {
   JOINT_WORK_BYTES,
   JOINTED_BODY_BYTES,
   LOOP_BLOCK,
+  LOOP_ROW_BYTES,
+  MATRIX_SIZE,
+  MECHANISM_BYTES,
   RigidTableWord as RigidWord,
   JointTableWord as Word,
 } from '../memory/layouts.gen.ts';
@@ -33,6 +36,12 @@ const ROWS_BYTES = 5 * JOINT_ROW_BYTES;
 const COLORS = 32;
 const HINGE_BYTES = LOOP_BLOCK / 2;
 
+/**
+ * Elements of the matrices of mechanisms: a large one, and for each entity so many that each may be in a small one: a loop of
+ * hinges has three joints and three bodies at least, and four elements.
+ */
+const MATRIX_ELEMENTS = 4;
+
 /** Memory of joints per entity, bytes: any entity may be a joint. */
 export const JOINT_BYTES_PER_ENTITY =
   ARTICULATED_BODY_BYTES +
@@ -44,6 +53,8 @@ export const JOINT_BYTES_PER_ENTITY =
   ROWS_BYTES +
   HINGE_BYTES +
   HINGE_START_BYTES +
+  MECHANISM_BYTES +
+  MATRIX_ELEMENTS * 8 +
   6 * 8 +
   17 * 4;
 
@@ -120,6 +131,10 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
   take(Word.places, JOINT_PLACE_BYTES);
   take(Word.works, JOINT_WORK_BYTES);
   take(Word.rows, ROWS_BYTES);
+  take(Word.mechanisms, MECHANISM_BYTES);
+  words[Word.matrixRoom] = MATRIX_SIZE * MATRIX_SIZE + MATRIX_ELEMENTS * world.rows;
+  words[Word.matrices] = allocate(arena, 8 * words[Word.matrixRoom], 'joints');
+  words[Word.loopRows] = allocate(arena, LOOP_ROW_BYTES * MATRIX_SIZE, 'joints');
   for (const word of [Word.pairs, Word.spare, Word.next, Word.links, Word.ends, Word.nodes]) take(word, 8);
   for (const word of [
     Word.sets,

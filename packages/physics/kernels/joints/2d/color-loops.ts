@@ -10,7 +10,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { JointedBody, jointed, keepVelocity, stiffen } from './brace-joints';
 import { bend } from './chords';
 import { JointTable, impulsesOf } from './joint-table';
-import { LOOP, PARENT_A, PARENT_B } from './joint-trees';
+import { CLOSING, LOOP, isInTree } from './joint-trees';
 import { LOCKS, ROPE, isPlainHinge } from './list-active';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
@@ -45,10 +45,10 @@ export function colorLoops(t: JointTable): void {
 // Marks the bodies at the ends of joints that close loops (crowds.ts).
 export function markLoops(t: JointTable, rigid: RigidTable): void {
   rigid.loopCount = 0;
-  if (t.treeCount == t.activeCount || !haveUnlikeMasses(t, rigid)) return;
+  if (t.closedCount == t.activeCount || !haveUnlikeMasses(t, rigid)) return;
   for (let i = 0; i < t.activeCount; i++) {
     const parent = word(t.parents, i);
-    if (parent == PARENT_A || parent == PARENT_B || (word(t.roles, i) & (LOCKS | ROPE)) == 0) continue;
+    if (isInTree(parent) || parent == CLOSING || (word(t.roles, i) & (LOCKS | ROPE)) == 0) continue;
     rigid.loopCount++;
     markEnd(rigid, word(t.nodes, 2 * i));
     markEnd(rigid, word(t.nodes, 2 * i + 1));

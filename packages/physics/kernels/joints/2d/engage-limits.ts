@@ -109,7 +109,7 @@ export function takeBackLimits(t: JointTable, rigid: RigidTable, k: i32): void {
 // Lets the limits of all joints go that would have to pull. Returns whether there are any.
 export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
   let any = false;
-  for (let k = 0; k < t.treeCount; k++) {
+  for (let k = 0; k < t.closedCount; k++) {
     const work = workAt(t, k);
     if (work.limit == 0 || work.limit == BOTH) continue;
     const impulse = lastLock(impulsesOf(t, work.id), work);

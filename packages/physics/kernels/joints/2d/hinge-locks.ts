@@ -204,17 +204,48 @@ import { COMPLIANCE } from './soft-impulse';
 @inline function moveChild(rigid: RigidTable, at: JointPlace, u: v128): void {
   if (at.below == 0) return;
   const body = changetype<ArticulatedBody>(at.below);
-  const w = at.turn - at.ratioX * xOf(u) - at.ratioY * yOf(u);
-  body.w = w;
-  setVelocityIn(body, plus(u, times(w, turnedRight(childArm(at)))));
+  turnChild(body, at, u);
   follow(stateOf(rigid, at.childRow), body, at.turns != 0);
 }
 
-// The same for an impact, whose impulse is no load of the hinge.
 // @ts-ignore: decorator
-@inline export function passHinge(rigid: RigidTable, at: JointPlace): void {
+@inline function turnChild(body: ArticulatedBody, at: JointPlace, u: v128): void {
+  const w = at.turn - at.ratioX * xOf(u) - at.ratioY * yOf(u);
+  body.w = w;
+  setVelocityIn(body, plus(u, times(w, turnedRight(childArm(at)))));
+}
+
+// The same as `gatherHinge` and `passHinge` for a tree at rest, on whose bodies impulses act.
+// @ts-ignore: decorator
+@inline export function gatherHingeResponse(at: JointPlace): void {
+  if (at.below == 0) return;
+  const from = changetype<ArticulatedBody>(at.below);
+  const momentum = momentumBelow(from);
+  const torque = from.gw + dot2(turnedRight(childArm(at)), momentum);
+  at.turn = torque * at.inverse;
+  setMomentumBelow(from, f64x2.splat(0));
+  from.gw = 0;
+  const to = changetype<ArticulatedBody>(at.above);
+  const passed = minus(momentum, times(torque, ratioOf(at)));
+  setMomentumBelow(to, plus(momentumBelow(to), passed));
+  to.gw += dot2(turnedLeft(parentArm(at)), passed);
+}
+
+// @ts-ignore: decorator
+@inline export function passHingeResponse(at: JointPlace): void {
+  if (at.below == 0) return;
+  turnChild(
+    changetype<ArticulatedBody>(at.below),
+    at,
+    velocityAt(changetype<ArticulatedBody>(at.above), parentArm(at)),
+  );
+}
+
+// The same, without noting the impulse of the hinge.
+// @ts-ignore: decorator
+@inline export function passHinge(rigid: RigidTable, at: JointPlace, start: HingeStart, soft: bool): void {
   const from = changetype<ArticulatedBody>(at.above);
-  moveChild(rigid, at, minus(velocityAt(from, parentArm(at)), chordOf(at)));
+  moveChild(rigid, at, minus(velocityAt(from, parentArm(at)), wanted(at, start, soft)));
 }
 
 // Brings a body to the velocity that its tree gives it, or, softly, most of the way.

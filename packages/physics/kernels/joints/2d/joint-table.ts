@@ -41,7 +41,7 @@ export class JointTable {
   // Whether their bodies collided when they were listed.
   collided: usize;
   // The joints of this step that are solved one by one, class JointWork, and their rows: those of trees in the order of the
-  // trees, then the others.
+  // trees, those that close loops of mechanisms, then the others.
   works: usize;
   rows: usize;
   // What is read of them in every pass, class JointPlace.
@@ -50,6 +50,14 @@ export class JointTable {
   starts: usize;
   treeCount: i32;
   workCount: i32;
+  // Mechanisms, class Mechanism, in the order of their trees; how many joints are in trees or close their loops; the room for
+  // matrices, f64, and the number of their elements; and locked directions, class LoopRow.
+  mechanisms: usize;
+  mechanismCount: i32;
+  closedCount: i32;
+  matrices: usize;
+  matrixRoom: i32;
+  loopRows: usize;
   // How many of them are no plain hinges of trees.
   otherCount: i32;
   // Hinges that close a loop and do nothing else, side by side (loop-block.ts): the blocks, and where each color begins.

@@ -10,6 +10,8 @@ export const LOOP: i32 = 0;
 export const PARENT_A: i32 = 1;
 export const PARENT_B: i32 = 2;
 const UNREACHED: i32 = 3;
+// It closes a loop of a mechanism (mechanisms.ts).
+export const CLOSING: i32 = 3;
 
 // Of a body whose joints are in a tree, in the place of its first joint: this less the index of the body in t.bodies.
 const REACHED: i32 = -2;
@@ -58,7 +60,18 @@ function listRoots(t: JointTable): void {
 // The index in t.bodies of the parent of a joint in a tree.
 // @ts-ignore: decorator
 @inline export function indexAbove(t: JointTable, i: i32): i32 {
-  return REACHED - word(t.heads, word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 0 : 1)));
+  return bodyIndexOf(t, word(t.nodes, 2 * i + (word(t.parents, i) == PARENT_A ? 0 : 1)));
+}
+
+// The index in t.bodies of a body of a tree.
+// @ts-ignore: decorator
+@inline export function bodyIndexOf(t: JointTable, row: i32): i32 {
+  return REACHED - word(t.heads, row);
+}
+
+// @ts-ignore: decorator
+@inline export function isInTree(parent: i32): bool {
+  return parent == PARENT_A || parent == PARENT_B;
 }
 
 // Joins the sets of the two bodies of a joint with this role, and lists it at each; not where both are in one set already.

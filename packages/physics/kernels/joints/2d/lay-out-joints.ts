@@ -6,15 +6,17 @@ import { ARTICULATED_BODY_SIZE, ARTICULATED_MASS_SIZE, articulated } from './art
 import { startJointed } from './brace-joints';
 import { colorLoops, layOutLoops } from './color-loops';
 import { JointTable, impulsesOf } from './joint-table';
-import { LOOP, PARENT_B, childOf, indexAbove, orderTrees, setOf } from './joint-trees';
+import { CLOSING, PARENT_B, childOf, indexAbove, isInTree, orderTrees, setOf } from './joint-trees';
 import { JointPlace, PLAIN, WARM, clearRows, placeAt, signOf, workAt } from './joint-work';
 import { forgetTrees, listByTree } from './list-by-tree';
 import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, dropUnused } from './list-active';
+import { findMechanisms } from './mechanisms';
 
 export function layOutJoints(t: JointTable, rigid: RigidTable): void {
   dropUnused(t);
   forgetTrees(t);
   orderTrees(t);
+  findMechanisms(t);
   colorLoops(t);
   layOutLoops(t, rigid);
   t.workCount = t.orderCount;
@@ -35,7 +37,7 @@ export function layOutJoints(t: JointTable, rigid: RigidTable): void {
 function markWarmTrees(t: JointTable): void {
   for (let i = 0; i < 2 * t.activeCount; i++) putWord(t.marks, word(t.nodes, i), 0);
   for (let i = 0; i < t.activeCount; i++) {
-    if ((word(t.roles, i) & (AXES | LOCKED_END)) == 0) continue;
+    if ((word(t.roles, i) & (AXES | LOCKED_END)) == 0 && word(t.parents, i) != CLOSING) continue;
     putWord(t.marks, setOf(t, word(t.nodes, 2 * i)), 1);
     putWord(t.marks, setOf(t, word(t.nodes, 2 * i + 1)), 1);
   }
@@ -64,7 +66,7 @@ function layOutJoint(t: JointTable, k: i32): void {
   at.id = id;
   at.parent = word(t.parents, i);
   // A hinge that has limits, or closes a loop and stands in no block, is solved by rows, as other joints are.
-  const isHinge = (role & (HINGE | LIMITED)) == HINGE && at.parent != LOOP;
+  const isHinge = (role & (HINGE | LIMITED)) == HINGE && isInTree(at.parent);
   at.hinge = !isHinge ? 0 : isWarm(t, i) ? WARM : PLAIN;
   if (at.hinge != PLAIN) {
     t.otherCount++;
@@ -85,7 +87,7 @@ function layOutJoint(t: JointTable, k: i32): void {
 @inline function placeInTree(t: JointTable, at: JointPlace, i: i32, k: i32): void {
   at.above = 0;
   at.below = 0;
-  if (at.parent == LOOP) return;
+  if (!isInTree(at.parent)) return;
   at.above = changetype<usize>(articulated(t, indexAbove(t, i)));
   putWord(t.bodyRows, t.rootCount + k, childOf(t, i));
   if (childOf(t, i) != 0) at.below = changetype<usize>(articulated(t, t.rootCount + k));

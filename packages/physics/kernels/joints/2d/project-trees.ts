@@ -4,12 +4,12 @@ import { putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { releaseRods } from './brace-rods';
-import { gatherHinge, passHinge } from './hinge-locks';
+import { closeLoops } from './close-loops';
 import { JointTable } from './joint-table';
-import { placeAt, startAt } from './joint-work';
-import { jointsOfTree } from './list-by-tree';
-import { gatherJoint, moveRoot, passJoint, solveAll } from './solve-locks';
+import { mechanismAt, mechanismOf } from './mechanisms';
+import { solveAll } from './solve-locks';
 import { clearMasses } from './start-joints';
+import { gatherTree, passTree } from './sweep-tree';
 
 // Projects all trees, after the last sub-step. Matrices are made again, for joints that are rigid and without the limits that have
 // let go: between a light body and a heavy one the least softness leaves much for later projections, and impacts would diverge.
@@ -25,21 +25,10 @@ export function startProjections(t: JointTable, rigid: RigidTable): void {
 
 // Projects one tree, with the matrices that there are.
 export function projectTree(t: JointTable, rigid: RigidTable, tree: i32): void {
-  const first = word(t.treeStarts, tree);
-  const count = jointsOfTree(t, tree);
-  for (let i = count - 1; i >= 0; i--) {
-    const k = word(t.treeJoints, first + i);
-    const at = placeAt(t, k);
-    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), false, false);
-    else gatherJoint(t, rigid, k, 0, false);
-  }
-  moveRoot(t, rigid, tree, false);
-  for (let i = 0; i < count; i++) {
-    const k = word(t.treeJoints, first + i);
-    const at = placeAt(t, k);
-    if (at.hinge != 0) passHinge(rigid, at);
-    else passJoint(t, rigid, k);
-  }
+  gatherTree(t, rigid, tree, 0, false);
+  const mechanism = t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
+  if (mechanism >= 0) closeLoops(t, rigid, mechanismAt(t, mechanism), 0, false, false);
+  passTree(t, rigid, tree, false);
 }
 
 // Begins a round of projections, in which `projectTreeOnce` projects each tree at most once.
