@@ -56,7 +56,7 @@ export const JOINT_BYTES_PER_ENTITY =
   MECHANISM_BYTES +
   MATRIX_ELEMENTS * 8 +
   6 * 8 +
-  17 * 4;
+  19 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -149,6 +149,8 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
     Word.treeJoints,
     Word.treeStarts,
     Word.projected,
+    Word.mechanismTrees,
+    Word.mechanismOf,
   ])
     take(word, 4);
   for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds, Word.collided]) take(word, 4);

@@ -150,11 +150,9 @@ describe.each(['f32', 'f64'] as const)('mechanisms in %s', (precision) => {
       [a, d],
       [b, d],
     ].map(([from, to]) => addBar(world, from, to, 1));
-    const hinge = (a: number | undefined, b: number, [x, y]: Point, more: object = {}) =>
-      createJoint(world, revolute({ a, b, anchor: { x, y }, ...more }));
-    hinge(undefined, oa, o);
-    hinge(undefined, ob, o);
-    const motor = hinge(undefined, pc, p, { motor: { speed: 0.5, max: 1000 } });
+    const hinge = (a: number, b: number, [x, y]: Point) => createJoint(world, revolute({ a, b, anchor: { x, y } }));
+    for (const bar of [oa, ob]) createJoint(world, revolute({ b: bar, anchor: { x: 0, y: 0 } }));
+    const motor = createJoint(world, revolute({ b: pc, anchor: { x: crank, y: 0 }, motor: { speed: 0.5, max: 1000 } }));
     for (const bar of [ac, bc]) hinge(pc, bar, c);
     for (const bar of [ac, ad]) hinge(oa, bar, a);
     for (const bar of [bc, bd]) hinge(ob, bar, b);

@@ -23,7 +23,7 @@ import { coupling } from './joint-rows';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
 
 // The row across a rod: one after those that a rod can lock.
-const ACROSS: i32 = 2;
+export const ACROSS: i32 = 2;
 
 // How much of the greatest pull is left after a sub-step.
 const KEPT: f64 = 0.5;
@@ -90,5 +90,5 @@ export function braceTurns(t: JointTable, rigid: RigidTable): void {
 // An impact is over before anything has turned.
 export function releaseRods(t: JointTable): void {
   startRods(t);
-  for (let k = 0; k < t.treeCount; k++) if (workAt(t, k).acrossInverse > 0) release(workAt(t, k));
+  for (let k = 0; k < t.closedCount; k++) if (workAt(t, k).acrossInverse > 0) release(workAt(t, k));
 }

@@ -7,32 +7,44 @@
 // A column of T is what the tree does under an impulse of 1 along one locked direction. L T is symmetric and positive
 // semidefinite. E is a little compliance, so that what is held twice, as in a truss with more bars than it needs, has a solution.
 // Then the tree is solved once more with λ among the impulses on its bodies. What joints exerted before does not matter, as in trees.
+// Pulleys and gears are directions of this kind, too, by which several trees may hang together.
 // Source: Featherstone, Rigid Body Dynamics Algorithms (2008), section 8.5 (loop-closure forces).
-import { word } from '../../solver/2d/body';
+import { stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, articulated } from './articulated-body';
+import { ACROSS, notePull } from './brace-rods';
 import { coupling, finite } from './joint-rows';
-import { JointTable, impulsesOf, lockAddress } from './joint-table';
+import { DISTANCE, GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
 import { bodyIndexOf } from './joint-trees';
 import { JointRow, JointWork, rowOf, workAt } from './joint-work';
-import { Mechanism, mechanismAt } from './mechanisms';
+import { Mechanism, mechanismAt, treeOfMechanism } from './mechanisms';
+import { ROW_A, ROW_B, inverseMassOf } from './solve-couplings';
 import { factorSymmetric, solveSymmetric } from './symmetric-matrix';
 import { gatherTree, passTree, respond } from './sweep-tree';
 
-// A locked direction of a joint that closes a loop.
+// A direction that a joint of a mechanism locks and that is in no tree: what it has of the velocity of each body.
 @unmanaged
 export class LoopRow {
-  work: usize;
-  row: usize;
-  // Both bodies, class ArticulatedBody.
+  ax: f64;
+  ay: f64;
+  aw: f64;
+  bx: f64;
+  by: f64;
+  bw: f64;
+  // Both bodies, class ArticulatedBody; 0 for one that joints do not move.
   a: usize;
   b: usize;
-  // Where its impulse stands, and the inverse mass of both bodies along it, 1/kg.
-  lock: usize;
+  // Where its impulse stands.
+  impulse: usize;
   pad: usize;
+  // The inverse mass of both bodies along it, 1/kg.
   inverseMass: f64;
-  // By how much it moves otherwise than it wants, m/s, then what is exerted along it, N s.
+  // How much it gives way, 1/kg.
+  compliance: f64;
+  // How fast it is to close: what closes the gap, the chord (chords.ts), and how fast a body moves that joints do not move, m/s.
+  wanted: f64;
+  // How fast it moves otherwise, then the impulse along it, N s.
   value: f64;
 }
 
@@ -53,6 +65,10 @@ export function closeAllLoops(t: JointTable, rigid: RigidTable, bias: f64, soft:
     const mechanism = mechanismAt(t, i);
     closeLoops(t, rigid, mechanism, bias, soft, factor);
     for (let k = 0; k < mechanism.rows; k++) keepImpulse(loopRow(t, k), soft);
+    for (let k = 0; soft && k < mechanism.count; k++) {
+      const work = workAt(t, mechanism.first + k);
+      if (work.kind == DISTANCE) notePull(impulsesOf(t, work.id), impulsesOf(t, work.id).lock1);
+    }
   }
 }
 
@@ -66,13 +82,14 @@ export function closeLoops(
   factor: bool,
 ): void {
   const scale = softness.massScale;
-  const tree = mechanism.tree;
-  // Bodies keep their velocities while what the tree would do is tried.
+  // Bodies keep their velocities while what the trees would do is tried.
   softness.massScale = 0;
-  listRows(t, mechanism);
-  passTree(t, rigid, tree, soft);
-  for (let i = 0; i < mechanism.rows; i++)
-    loopRow(t, i).value = speedAlong(loopRow(t, i)) + wanted(loopRow(t, i), bias);
+  listRows(t, rigid, mechanism, bias);
+  for (let i = 0; i < mechanism.trees; i++) passTree(t, rigid, treeOfMechanism(t, mechanism, i), soft);
+  for (let i = 0; i < mechanism.rows; i++) {
+    const row = loopRow(t, i);
+    row.value = speedAlong(row) + row.wanted;
+  }
   if (factor) factorLoops(t, mechanism);
   solveSymmetric(mechanism.matrix, mechanism.rows, t.loopRows + offsetof<LoopRow>('value'), SIZE);
   for (let i = 0; i < mechanism.rows; i++) {
@@ -80,56 +97,96 @@ export function closeLoops(
     row.value = -finite(row.value);
     push(row, row.value);
   }
-  gatherTree(t, rigid, tree, bias, soft);
+  for (let i = 0; i < mechanism.trees; i++) gatherTree(t, rigid, treeOfMechanism(t, mechanism, i), bias, soft);
   softness.massScale = scale;
 }
 
-function listRows(t: JointTable, mechanism: Mechanism): void {
-  let count = 0;
+function listRows(t: JointTable, rigid: RigidTable, mechanism: Mechanism, bias: f64): void {
+  mechanism.rows = 0;
   for (let i = 0; i < mechanism.count; i++) {
     const work = workAt(t, mechanism.first + i);
-    for (let p = 0; p < work.locks; p++) fillRow(t, loopRow(t, count++), work, p);
+    if (isCoupling(work.kind)) listCoupling(t, rigid, mechanism, work, bias);
+    for (let p = 0; p < work.locks; p++) listLock(t, mechanism, work, p, bias);
+    if (work.acrossInverse > 0) listLock(t, mechanism, work, ACROSS, bias);
   }
-  mechanism.rows = count;
 }
 
-function fillRow(t: JointTable, to: LoopRow, work: JointWork, p: i32): void {
+function listLock(t: JointTable, mechanism: Mechanism, work: JointWork, p: i32, bias: f64): void {
   const row = rowOf(work, p);
-  to.work = changetype<usize>(work);
-  to.row = changetype<usize>(row);
-  to.a = changetype<usize>(articulated(t, bodyIndexOf(t, work.a)));
-  to.b = changetype<usize>(articulated(t, bodyIndexOf(t, work.b)));
-  to.lock = lockAddress(impulsesOf(t, work.id), p);
+  const to = startRow(t, mechanism, work, row, bias);
+  to.ax = -row.x;
+  to.ay = -row.y;
+  to.aw = -row.armA;
+  to.bx = row.x;
+  to.by = row.y;
+  to.bw = row.armB;
+  to.impulse = lockAddress(impulsesOf(t, work.id), p);
   to.inverseMass = coupling(work, row, row);
+  to.compliance = COMPLIANCE * to.inverseMass + (p < work.locks ? 0 : work.acrossInverse);
 }
 
-// How fast the bodies of the tree move along a direction.
-// @ts-ignore: decorator
-@inline function speedAlong(along: LoopRow): f64 {
-  const row = changetype<JointRow>(along.row);
-  const a = changetype<ArticulatedBody>(along.a);
-  const b = changetype<ArticulatedBody>(along.b);
-  return row.x * (b.vx - a.vx) + row.y * (b.vy - a.vy) + row.armB * b.w - row.armA * a.w;
+// A gear, or a pulley whose rope is taut.
+function listCoupling(t: JointTable, rigid: RigidTable, mechanism: Mechanism, work: JointWork, bias: f64): void {
+  if (work.kind == PULLEY && work.limit == 0) return;
+  const p = rowOf(work, ROW_A);
+  const q = rowOf(work, ROW_B);
+  const to = startRow(t, mechanism, work, q, bias);
+  to.ax = p.x;
+  to.ay = p.y;
+  to.aw = p.armA;
+  to.bx = q.x;
+  to.by = q.y;
+  to.bw = q.armB;
+  const impulses = changetype<usize>(impulsesOf(t, work.id));
+  to.impulse = impulses + (work.kind == GEAR ? offsetof<JointImpulses>('lock0') : offsetof<JointImpulses>('upper'));
+  to.inverseMass = inverseMassOf(work);
+  to.compliance = COMPLIANCE * to.inverseMass;
+  const a = stateOf(rigid, work.a);
+  const b = stateOf(rigid, work.b);
+  if (to.a == 0) to.wanted += p.x * <f64>a.vx + p.y * <f64>a.vy + p.armA * <f64>a.w;
+  if (to.b == 0) to.wanted += q.x * <f64>b.vx + q.y * <f64>b.vy + q.armB * <f64>b.w;
 }
 
-// The speed by which it is to close: what closes the gap, and the chord (chords.ts).
+function startRow(t: JointTable, mechanism: Mechanism, work: JointWork, row: JointRow, bias: f64): LoopRow {
+  const to = loopRow(t, mechanism.rows++);
+  to.a = bodyAt(t, work.a);
+  to.b = bodyAt(t, work.b);
+  to.wanted = bias * work.reach * row.error + row.chord;
+  return to;
+}
+
 // @ts-ignore: decorator
-@inline function wanted(along: LoopRow, bias: f64): f64 {
-  const row = changetype<JointRow>(along.row);
-  return bias * changetype<JointWork>(along.work).reach * row.error + row.chord;
+@inline function bodyAt(t: JointTable, row: i32): usize {
+  const index = bodyIndexOf(t, row);
+  return row != 0 && word(t.bodyRows, index) == row ? changetype<usize>(articulated(t, index)) : 0;
+}
+
+// How fast the bodies of the trees move along a direction.
+// @ts-ignore: decorator
+@inline function speedAlong(row: LoopRow): f64 {
+  let speed: f64 = 0;
+  if (row.a != 0) {
+    const a = changetype<ArticulatedBody>(row.a);
+    speed = row.ax * a.vx + row.ay * a.vy + row.aw * a.w;
+  }
+  if (row.b == 0) return speed;
+  const b = changetype<ArticulatedBody>(row.b);
+  return speed + (row.bx * b.vx + row.by * b.vy + row.bw * b.w);
 }
 
 // Adds an impulse along a direction to what hangs on both bodies.
-function push(along: LoopRow, impulse: f64): void {
-  const row = changetype<JointRow>(along.row);
-  const a = changetype<ArticulatedBody>(along.a);
-  const b = changetype<ArticulatedBody>(along.b);
-  a.gx -= impulse * row.x;
-  a.gy -= impulse * row.y;
-  a.gw -= impulse * row.armA;
-  b.gx += impulse * row.x;
-  b.gy += impulse * row.y;
-  b.gw += impulse * row.armB;
+function push(row: LoopRow, impulse: f64): void {
+  if (row.a != 0) {
+    const a = changetype<ArticulatedBody>(row.a);
+    a.gx += impulse * row.ax;
+    a.gy += impulse * row.ay;
+    a.gw += impulse * row.aw;
+  }
+  if (row.b == 0) return;
+  const b = changetype<ArticulatedBody>(row.b);
+  b.gx += impulse * row.bx;
+  b.gy += impulse * row.by;
+  b.gw += impulse * row.bw;
 }
 
 // Makes the matrix L T + E by one impulse along each direction, and factors it. A direction in which nothing can move has no impulse.
@@ -141,16 +198,16 @@ function factorLoops(t: JointTable, mechanism: Mechanism): void {
     memory.fill(line, 0, (<usize>n) << 3);
     if (!(from.inverseMass > 0)) continue;
     push(from, 1);
-    respond(t, mechanism.tree);
+    for (let k = 0; k < mechanism.trees; k++) respond(t, treeOfMechanism(t, mechanism, k));
     for (let j = 0; j <= i; j++) store<f64>(line + ((<usize>j) << 3), speedAlong(loopRow(t, j)));
     const diagonal = line + ((<usize>i) << 3);
-    store<f64>(diagonal, load<f64>(diagonal) + COMPLIANCE * from.inverseMass);
+    store<f64>(diagonal, load<f64>(diagonal) + from.compliance);
   }
   factorSymmetric(mechanism.matrix, n);
 }
 
 // @ts-ignore: decorator
 @inline function keepImpulse(row: LoopRow, soft: bool): void {
-  const before = soft ? 0 : load<f64>(row.lock);
-  store<f64>(row.lock, before + softness.massScale * row.value);
+  const before = soft ? 0 : load<f64>(row.impulse);
+  store<f64>(row.impulse, before + softness.massScale * row.value);
 }

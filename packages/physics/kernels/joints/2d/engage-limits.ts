@@ -12,10 +12,11 @@ import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { JointImpulses, JointTable, impulsesOf, lockAddress } from './joint-table';
+import { GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, speedAlong, stateA, stateB } from './joint-rows';
+import { exertCoupling, speedOfCoupling } from './solve-couplings';
 
 // Which limit of a joint bears: that below, that above, or both, where they leave no room between them.
 const LOWER: i32 = 1;
@@ -31,10 +32,36 @@ const SLOP: f64 = 0.005;
 // Limits closer to each other leave no room, m or rad.
 const NO_ROOM: f64 = 1e-9;
 
-// Whether the limits of a joint are solved with its tree.
+// Whether the limits of a joint are solved with its tree. That of a pulley is its rope, which may be slack.
 // @ts-ignore: decorator
 @inline function hasTreeLimits(t: JointTable, work: JointWork): bool {
-  return work.hasAxes != 0 && work.parent != LOOP && word(t.hasLimits, work.id) != 0;
+  if (work.hasAxes == 0 || work.parent == LOOP) return false;
+  return work.kind == PULLEY || word(t.hasLimits, work.id) != 0;
+}
+
+// @ts-ignore: decorator
+@inline function lowerOf(t: JointTable, work: JointWork): f64 {
+  return work.kind == PULLEY ? 0 : <f64>get(t.lower, work.id);
+}
+
+// @ts-ignore: decorator
+@inline function upperOf(t: JointTable, work: JointWork): f64 {
+  return work.kind == PULLEY ? Infinity : <f64>get(t.upper, work.id);
+}
+
+// @ts-ignore: decorator
+@inline function speedOf(rigid: RigidTable, work: JointWork): f64 {
+  const a = stateA(rigid, work);
+  const b = stateB(rigid, work);
+  return work.kind == PULLEY ? speedOfCoupling(work, a, b) : speedAlong(a, b, rowOf(work, SPRING_ROW));
+}
+
+// Applies an impulse along the direction that is limited.
+function exert(rigid: RigidTable, work: JointWork, impulse: f64): void {
+  const a = stateA(rigid, work);
+  const b = stateB(rigid, work);
+  if (isCoupling(work.kind)) exertCoupling(work, a, b, impulse);
+  else applyAlong(work, a, b, rowOf(work, SPRING_ROW), impulse);
 }
 
 // Notes which limits of a joint would be passed at the speeds with the impulses of the last sub-step. Those know the load of a
@@ -48,10 +75,8 @@ export function predictLimits(t: JointTable, rigid: RigidTable, k: i32): void {
 // Which limits of a joint its present speed passes within the sub-step.
 function passedLimits(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
   const row = rowOf(work, SPRING_ROW);
-  const then = row.error + rigid.h * (row.chord + speedAlong(stateA(rigid, work), stateB(rigid, work), row));
-  return (
-    (then < <f64>get(t.lower, work.id) ? PASSES_LOWER : 0) | (then > <f64>get(t.upper, work.id) ? PASSES_UPPER : 0)
-  );
+  const then = row.error + rigid.h * (row.chord + speedOf(rigid, work));
+  return (then < lowerOf(t, work) ? PASSES_LOWER : 0) | (then > upperOf(t, work) ? PASSES_UPPER : 0);
 }
 
 // Decides which limit of a joint bears, and makes it the last of its locked directions.
@@ -61,13 +86,13 @@ export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   const passes = work.limit & passedLimits(t, rigid, work);
   work.limit = 0;
   const row = rowOf(work, SPRING_ROW);
-  const low = row.error - <f64>get(t.lower, work.id);
-  const high = <f64>get(t.upper, work.id) - row.error;
+  const low = row.error - lowerOf(t, work);
+  const high = upperOf(t, work) - row.error;
   const impulses = impulsesOf(t, work.id);
   const passesLower = (passes & PASSES_LOWER) != 0;
   const passesUpper = (passes & PASSES_UPPER) != 0;
-  const lower = passesLower || (impulses.lower > 0 && low < SLOP);
-  const upper = passesUpper || (impulses.upper > 0 && high < SLOP);
+  const lower = passesLower || (pushFromBelow(impulses, work) > 0 && low < SLOP);
+  const upper = passesUpper || (work.kind != PULLEY && impulses.upper > 0 && high < SLOP);
   impulses.lower = 0;
   impulses.upper = 0;
   if (low + high < NO_ROOM) {
@@ -87,6 +112,11 @@ export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
 }
 
 function lock(work: JointWork, from: JointRow, side: i32, error: f64): void {
+  work.limit = side;
+  if (work.kind == PULLEY) {
+    from.error = error;
+    return;
+  }
   const to = rowOf(work, work.locks++);
   to.x = from.x;
   to.y = from.y;
@@ -94,16 +124,15 @@ function lock(work: JointWork, from: JointRow, side: i32, error: f64): void {
   to.armB = from.armB;
   to.error = error;
   to.chord = from.chord;
-  work.limit = side;
 }
 
-// Takes back what the limits of a joint exerted in the last sub-step, as what its locked directions did.
+// Takes back what a gear and the limits of a joint exerted in the last sub-step, as what locked directions did.
 export function takeBackLimits(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
-  if (!hasTreeLimits(t, work)) return;
   const impulses = impulsesOf(t, work.id);
-  const row = rowOf(work, SPRING_ROW);
-  applyAlong(work, stateA(rigid, work), stateB(rigid, work), row, impulses.upper - impulses.lower);
+  if (work.kind == GEAR && work.parent != LOOP) exert(rigid, work, -impulses.lock0);
+  if (!hasTreeLimits(t, work)) return;
+  exert(rigid, work, work.kind == PULLEY ? -impulses.upper : impulses.upper - impulses.lower);
 }
 
 // Lets the limits of all joints go that would have to pull. Returns whether there are any.
@@ -114,7 +143,7 @@ export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
     if (work.limit == 0 || work.limit == BOTH) continue;
     const impulse = lastLock(impulsesOf(t, work.id), work);
     if (impulse * work.limit >= 0) continue;
-    applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, SPRING_ROW), -impulse);
+    exert(rigid, work, -impulse);
     unlock(t, work);
     any = true;
   }
@@ -126,19 +155,29 @@ export function settleLimit(t: JointTable, work: JointWork): void {
   if (work.limit == 0) return;
   const impulses = impulsesOf(t, work.id);
   const impulse = lastLock(impulses, work);
-  impulses.lower = max<f64>(0, impulse);
-  impulses.upper = max<f64>(0, -impulse);
   unlock(t, work);
+  impulses.lower = work.kind == PULLEY ? 0 : max<f64>(0, impulse);
+  impulses.upper = max<f64>(0, work.kind == PULLEY ? impulse : -impulse);
 }
 
 function unlock(t: JointTable, work: JointWork): void {
   work.limit = 0;
+  if (work.kind == PULLEY) {
+    impulsesOf(t, work.id).upper = 0;
+    return;
+  }
   work.locks--;
   memory.fill(changetype<usize>(rowOf(work, work.locks)), 0, offsetof<JointRow>());
   store<f64>(lockAddress(impulsesOf(t, work.id), work.locks), 0);
 }
 
+// What pushed in the last sub-step from the lower limit; a rope does so by its tension.
+// @ts-ignore: decorator
+@inline function pushFromBelow(impulses: JointImpulses, work: JointWork): f64 {
+  return work.kind == PULLEY ? impulses.upper : impulses.lower;
+}
+
 // @ts-ignore: decorator
 @inline function lastLock(impulses: JointImpulses, work: JointWork): f64 {
-  return load<f64>(lockAddress(impulses, work.locks - 1));
+  return work.kind == PULLEY ? impulses.upper : load<f64>(lockAddress(impulses, work.locks - 1));
 }

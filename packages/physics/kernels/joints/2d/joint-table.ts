@@ -50,10 +50,12 @@ export class JointTable {
   starts: usize;
   treeCount: i32;
   workCount: i32;
-  // Mechanisms, class Mechanism, in the order of their trees; how many joints are in trees or close their loops; the room for
+  // Mechanisms, class Mechanism; the numbers of their trees, and by tree one more than the mechanism to which it belongs; how many joints are in trees or close their loops; the room for
   // matrices, f64, and the number of their elements; and locked directions, class LoopRow.
   mechanisms: usize;
   mechanismCount: i32;
+  mechanismTrees: usize;
+  mechanismOf: usize;
   closedCount: i32;
   matrices: usize;
   matrixRoom: i32;
@@ -152,7 +154,12 @@ export const FILTER: u32 = 8;
 // A motor joint, pulley or gear is solved by code of its own, and has no spring, motor or limits along a free coordinate.
 // @ts-ignore: decorator
 @inline export function isSolvedApart(kind: u32): bool {
-  return kind == MOTOR || kind == PULLEY || kind == GEAR;
+  return kind == MOTOR || isCoupling(kind);
+}
+
+// @ts-ignore: decorator
+@inline export function isCoupling(kind: u32): bool {
+  return kind == PULLEY || kind == GEAR;
 }
 
 export const IMPULSES_SIZE: usize = offsetof<JointImpulses>();

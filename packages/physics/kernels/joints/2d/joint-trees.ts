@@ -3,14 +3,14 @@
 // that closes a loop is left out and solved by itself, after the others.
 import { putWord, word } from '../../solver/2d/body';
 import { JointTable } from './joint-table';
-import { LOCKS, ROPE } from './list-active';
+import { COUPLES, LOCKS, ROPE } from './list-active';
 
 // What t.parents holds of a joint: which body is its parent, that it closes a loop, or that no tree has grown to it yet.
 export const LOOP: i32 = 0;
 export const PARENT_A: i32 = 1;
 export const PARENT_B: i32 = 2;
 const UNREACHED: i32 = 3;
-// It closes a loop of a mechanism (mechanisms.ts).
+// It closes a loop of a mechanism, or couples bodies of it (mechanisms.ts).
 export const CLOSING: i32 = 3;
 
 // Of a body whose joints are in a tree, in the place of its first joint: this less the index of the body in t.bodies.
@@ -45,6 +45,14 @@ function listRoots(t: JointTable): void {
   for (let i = 0; i < 2 * t.activeCount; i++) {
     const row = word(t.nodes, i);
     if (row == 0 || word(t.sets, row) != row || word(t.heads, row) < 0 || word(t.marks, row) != 0) continue;
+    putWord(t.marks, row, 1);
+    putWord(t.roots, t.rootCount++, row);
+  }
+  // What no joint but pulleys and gears holds is a tree by itself.
+  for (let i = 0; i < 2 * t.activeCount; i++) {
+    const row = word(t.nodes, i);
+    if (row == 0 || (word(t.roles, i >> 1) & COUPLES) == 0 || word(t.marks, row) != 0) continue;
+    if (word(t.sets, row) != row || word(t.heads, row) >= 0) continue;
     putWord(t.marks, row, 1);
     putWord(t.roots, t.rootCount++, row);
   }

@@ -3,7 +3,16 @@
 import { get } from '../../memory/columns';
 import { LOCKED, MOVES, flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { DISTANCE, FILTER, IMPULSES_SIZE, JointTable, REVOLUTE, impulsesOf, isSolvedApart } from './joint-table';
+import {
+  DISTANCE,
+  FILTER,
+  IMPULSES_SIZE,
+  JointTable,
+  REVOLUTE,
+  impulsesOf,
+  isCoupling,
+  isSolvedApart,
+} from './joint-table';
 
 // What a joint does: it locks directions; it is a hinge; it has a spring, a motor or limits, or is a motor joint, pulley or
 // gear.
@@ -22,6 +31,8 @@ export const B_MOVES: i32 = 128;
 export const LOCKED_END: i32 = 256;
 // It is a rod with limits, without spring: it locks its direction while one of them bears (engage-limits.ts).
 export const ROPE: i32 = 512;
+// It is a pulley or a gear.
+export const COUPLES: i32 = 1024;
 
 // @ts-ignore: decorator
 @inline export function isPlainHinge(role: i32): bool {
@@ -75,7 +86,7 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
 // A rod with a spring locks nothing, and one with limits only while they bear.
 // @ts-ignore: decorator
 @inline function roleOf(t: JointTable, id: i32, kind: u32): i32 {
-  if (isSolvedApart(kind)) return SPECIAL;
+  if (isSolvedApart(kind)) return isCoupling(kind) ? SPECIAL | COUPLES : SPECIAL;
   let axes = 0;
   if (get(t.hertz, id) > 0) axes |= SPRING;
   if (get(t.maxMotor, id) > 0) axes |= POWERED;

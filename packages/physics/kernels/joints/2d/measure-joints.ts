@@ -7,7 +7,7 @@ import { braceRod } from './brace-rods';
 import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, WHEEL } from './joint-table';
 import { chordOfLength, chordOfPoints, measureBends, partOfChord, withinSpeed } from './chords';
 import { measureHinge } from './hinge-locks';
-import { isInTree } from './joint-trees';
+import { LOOP } from './joint-trees';
 import { coupling } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
@@ -175,7 +175,7 @@ function alongLine(t: JointTable, work: JointWork): void {
   setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance, chord);
   setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance, 0);
   work.reach = reachOf(t, work, rowOf(work, MOTOR_ROW));
-  if (isInTree(work.parent)) braceRod(t, work, max<f64>(distance, MIN_DISTANCE));
+  if (work.parent != LOOP) braceRod(t, work, max<f64>(distance, MIN_DISTANCE));
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
   setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id), chord);
   work.locks = 1;

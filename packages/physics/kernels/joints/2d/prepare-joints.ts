@@ -7,7 +7,7 @@ import { articulated } from './articulated-body';
 import { braceBodies, jointed, keepVelocity, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops, markLoops } from './color-loops';
 import { DISTANCE, JointTable, impulsesOf, isSolvedApart } from './joint-table';
-import { PARENT_B } from './joint-trees';
+import { CLOSING, PARENT_B } from './joint-trees';
 import { JointWork, PLAIN, placeAt, startAt, workAt } from './joint-work';
 import { layOutJoints } from './lay-out-joints';
 import { listActive } from './list-active';
@@ -73,9 +73,9 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   if (work.locks > 0 || work.kind == DISTANCE) stiffenByLocks(t, work, impulsesOf(t, id));
 }
 
-// Whether a joint may give energy. A motor that stands still only rubs.
+// Whether a joint may give energy. In a mechanism pulleys and gears give none; a motor that stands still only rubs.
 function isDriving(t: JointTable, work: JointWork): bool {
-  if (isSolvedApart(work.kind)) return true;
+  if (isSolvedApart(work.kind)) return work.parent != CLOSING;
   if (work.hasAxes == 0) return false;
   return get(t.hertz, work.id) > 0 || (get(t.maxMotor, work.id) > 0 && get(t.motorSpeed, work.id) != 0);
 }

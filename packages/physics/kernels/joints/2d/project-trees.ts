@@ -6,7 +6,7 @@ import { softness } from '../../solver/2d/softness';
 import { releaseRods } from './brace-rods';
 import { closeLoops } from './close-loops';
 import { JointTable } from './joint-table';
-import { mechanismAt, mechanismOf } from './mechanisms';
+import { Mechanism, mechanismAt, mechanismOf, treeOfMechanism } from './mechanisms';
 import { solveAll } from './solve-locks';
 import { clearMasses } from './start-joints';
 import { gatherTree, passTree } from './sweep-tree';
@@ -23,12 +23,22 @@ export function startProjections(t: JointTable, rigid: RigidTable): void {
   solveAll(t, rigid, 0, false, factor);
 }
 
-// Projects one tree, with the matrices that there are.
+// Projects one tree, or the mechanism that it is part of, with the matrices that there are.
 export function projectTree(t: JointTable, rigid: RigidTable, tree: i32): void {
+  const number = t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
+  if (number >= 0) return projectMechanism(t, rigid, mechanismAt(t, number));
   gatherTree(t, rigid, tree, 0, false);
-  const mechanism = t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
-  if (mechanism >= 0) closeLoops(t, rigid, mechanismAt(t, mechanism), 0, false, false);
   passTree(t, rigid, tree, false);
+}
+
+function projectMechanism(t: JointTable, rigid: RigidTable, mechanism: Mechanism): void {
+  for (let i = 0; i < mechanism.trees; i++) gatherTree(t, rigid, treeOfMechanism(t, mechanism, i), 0, false);
+  closeLoops(t, rigid, mechanism, 0, false, false);
+  for (let i = 0; i < mechanism.trees; i++) {
+    const tree = treeOfMechanism(t, mechanism, i);
+    passTree(t, rigid, tree, false);
+    putWord(t.projected, tree, t.projections);
+  }
 }
 
 // Begins a round of projections, in which `projectTreeOnce` projects each tree at most once.
@@ -38,6 +48,6 @@ export function startRound(t: JointTable): void {
 
 export function projectTreeOnce(t: JointTable, rigid: RigidTable, tree: i32): void {
   if (word(t.projected, tree) == t.projections) return;
-  putWord(t.projected, tree, t.projections);
   projectTree(t, rigid, tree);
+  putWord(t.projected, tree, t.projections);
 }

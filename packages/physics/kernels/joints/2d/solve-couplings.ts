@@ -18,8 +18,8 @@ import { stateA, stateB } from './joint-rows';
 import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
 
 // The rows of the two bodies, in places that these joints do not use otherwise; the arm of each is that of its body.
-const ROW_A: i32 = MOTOR_ROW;
-const ROW_B: i32 = SPRING_ROW;
+export const ROW_A: i32 = MOTOR_ROW;
+export const ROW_B: i32 = SPRING_ROW;
 
 // A shorter rope has no direction.
 const MIN_ROPE: f64 = 1e-9;
@@ -102,7 +102,7 @@ function motionOfB(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
 }
 
 export function warmStartCoupling(work: JointWork, a: BodyState, b: BodyState, impulses: JointImpulses): void {
-  exert(work, a, b, work.kind == PULLEY ? impulses.upper : impulses.lock0);
+  exertCoupling(work, a, b, work.kind == PULLEY ? impulses.upper : impulses.lock0);
 }
 
 export function solveCoupling(t: JointTable, work: JointWork, impulses: JointImpulses, soft: bool): void {
@@ -113,33 +113,40 @@ export function solveCoupling(t: JointTable, work: JointWork, impulses: JointImp
   const k = inverseMassOf(work);
   softenJoint(rigid);
   if (work.kind == PULLEY) {
-    const pull = limitImpulse(k, speedOf(work, a, b) + rowOf(work, ROW_B).chord, gap, impulses.upper, rigid.h, soft);
+    const pull = limitImpulse(
+      k,
+      speedOfCoupling(work, a, b) + rowOf(work, ROW_B).chord,
+      gap,
+      impulses.upper,
+      rigid.h,
+      soft,
+    );
     impulses.upper += pull;
-    return exert(work, a, b, pull);
+    return exertCoupling(work, a, b, pull);
   }
   if (!soft) softness.impulseScale = 0;
   if (!soft) softness.massScale = 1;
   const bias = soft ? softness.biasRate * gap : 0;
-  const turn = softImpulse(k, speedOf(work, a, b) + bias, impulses.lock0);
+  const turn = softImpulse(k, speedOfCoupling(work, a, b) + bias, impulses.lock0);
   impulses.lock0 += turn;
-  exert(work, a, b, turn);
+  exertCoupling(work, a, b, turn);
 }
 
-function speedOf(work: JointWork, a: BodyState, b: BodyState): f64 {
+export function speedOfCoupling(work: JointWork, a: BodyState, b: BodyState): f64 {
   const p = rowOf(work, ROW_A);
   const q = rowOf(work, ROW_B);
   const ofA = p.x * <f64>a.vx + p.y * <f64>a.vy + p.armA * <f64>a.w;
   return ofA + q.x * <f64>b.vx + q.y * <f64>b.vy + q.armB * <f64>b.w;
 }
 
-function inverseMassOf(work: JointWork): f64 {
+export function inverseMassOf(work: JointWork): f64 {
   const p = rowOf(work, ROW_A);
   const q = rowOf(work, ROW_B);
   const ofA = work.massAx * (p.x * p.x) + work.massAy * (p.y * p.y) + work.inertiaA * p.armA * p.armA;
   return ofA + work.massBx * (q.x * q.x) + work.massBy * (q.y * q.y) + work.inertiaB * q.armB * q.armB;
 }
 
-function exert(work: JointWork, a: BodyState, b: BodyState, impulse: f64): void {
+export function exertCoupling(work: JointWork, a: BodyState, b: BodyState, impulse: f64): void {
   const p = rowOf(work, ROW_A);
   const q = rowOf(work, ROW_B);
   a.vx = <real>(<f64>a.vx + impulse * work.massAx * p.x);
