@@ -42,6 +42,22 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     }
   });
 
+  it.each(['before', 'after', 'box'])('small discs that fall fast rest on a plane that is made %s them', (made) => {
+    const world = rigidWorld({ precision, walls: made === 'box' ? [boxWalls({ min: { y: 0 } })] : [] });
+    if (made === 'before') spawn(world, { planeWall: {} });
+    const radius = 0.05;
+    const discs = Array.from({ length: 20 }, (_, i) =>
+      spawn(world, { position: { x: 2 * i - 20, y: 1 + 0.2 * i }, collider: { radius, density: 100 } }),
+    );
+    if (made === 'after') spawn(world, { planeWall: {} });
+    run(world, 3);
+    const { Position, Velocity } = world.components;
+    for (const disc of discs) {
+      expect(Math.abs(Position.y[disc] - radius)).toBeLessThan(0.005);
+      expect(Velocity.y[disc]).toBe(0);
+    }
+  });
+
   it('a box slides down a plane with g (sin θ - μ cos θ)', () => {
     const angle = 0.4;
     const world = rigidWorld({ precision });

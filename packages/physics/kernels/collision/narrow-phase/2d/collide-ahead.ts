@@ -3,7 +3,7 @@
 // in short steps.
 import { ASLEEP, BodyState, MOVES, flagsOf, poseOf, stateOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { Shape } from '../../shapes/2d/shape';
+import { PLANE, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { Manifold, setPoses } from './manifold';
 import { FORESEEN, RigidContact } from './rigid-contact';
@@ -62,11 +62,20 @@ export function collideAhead(t: RigidTable, contact: RigidContact, m: Manifold, 
 
 // Whether two shapes meet in this step if their bodies go on as they are; then `sweep` says when.
 function meet(t: RigidTable, contact: RigidContact, shapeA: Shape, shapeB: Shape): bool {
-  foresee(t, contact.bodyA, contact.a, contact.a, motionOfA(sweep));
-  foresee(t, contact.bodyB, contact.b, contact.a, motionOfB(sweep));
   sweep.target = impactDistance(t, contact);
-  timeOfImpact(sweep, shapeA, shapeB);
+  if (shapeB.kind == PLANE) {
+    // A half-plane may only be the first of two outlines (distance.ts).
+    foreseeBoth(t, contact, motionOfB(sweep), motionOfA(sweep));
+    timeOfImpact(sweep, shapeB, shapeA);
+  }
+  foreseeBoth(t, contact, motionOfA(sweep), motionOfB(sweep));
+  if (shapeB.kind != PLANE) timeOfImpact(sweep, shapeA, shapeB);
   return sweep.isHit != 0;
+}
+
+function foreseeBoth(t: RigidTable, contact: RigidContact, a: ShapeMotion, b: ShapeMotion): void {
+  foresee(t, contact.bodyA, contact.a, contact.a, a);
+  foresee(t, contact.bodyB, contact.b, contact.a, b);
 }
 
 // Finds the contact at the fraction of the step at which the two meet.
