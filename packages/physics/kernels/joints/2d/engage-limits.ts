@@ -79,7 +79,7 @@ function passedLimits(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
   return (then < lowerOf(t, work) ? PASSES_LOWER : 0) | (then > upperOf(t, work) ? PASSES_UPPER : 0);
 }
 
-// Decides which limit of a joint bears, and makes it the last of its locked directions.
+// Decides which limit of a joint bears, and makes it one of its locked directions.
 export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   if (!hasTreeLimits(t, work)) return;
@@ -117,6 +117,7 @@ function lock(work: JointWork, from: JointRow, side: i32, error: f64): void {
     from.error = error;
     return;
   }
+  work.limitLock = work.locks;
   const to = rowOf(work, work.locks++);
   to.x = from.x;
   to.y = from.y;
@@ -166,9 +167,8 @@ function unlock(t: JointTable, work: JointWork): void {
     impulsesOf(t, work.id).upper = 0;
     return;
   }
-  work.locks--;
-  memory.fill(changetype<usize>(rowOf(work, work.locks)), 0, offsetof<JointRow>());
-  store<f64>(lockAddress(impulsesOf(t, work.id), work.locks), 0);
+  memory.fill(changetype<usize>(rowOf(work, work.limitLock)), 0, offsetof<JointRow>());
+  store<f64>(lockAddress(impulsesOf(t, work.id), work.limitLock), 0);
 }
 
 // What pushed in the last sub-step from the lower limit; a rope does so by its tension.
@@ -179,5 +179,5 @@ function unlock(t: JointTable, work: JointWork): void {
 
 // @ts-ignore: decorator
 @inline function lastLock(impulses: JointImpulses, work: JointWork): f64 {
-  return work.kind == PULLEY ? impulses.upper : load<f64>(lockAddress(impulses, work.locks - 1));
+  return work.kind == PULLEY ? impulses.upper : load<f64>(lockAddress(impulses, work.limitLock));
 }

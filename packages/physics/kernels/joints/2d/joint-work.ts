@@ -27,6 +27,12 @@ export class JointWork {
   locks: i32;
   // In a tree: which of its limits bears, 0 for none (engage-limits.ts).
   limit: i32;
+  // The row of that limit among the locked directions.
+  limitLock: i32;
+  // What its motor does with its tree, 0 for nothing, and its row among the locked directions, -1 for none (engage-motors.ts).
+  motor: i32;
+  motorLock: i32;
+  pad: i32;
   // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
   hasAxes: i32;
   // Rows of the states of a and b, 0 for one that does not move, and of their poses.

@@ -9,7 +9,7 @@ import { JointTable, impulsesOf } from './joint-table';
 import { CLOSING, PARENT_B, childOf, indexAbove, isInTree, orderTrees, setOf } from './joint-trees';
 import { JointPlace, PLAIN, WARM, clearRows, placeAt, signOf, workAt } from './joint-work';
 import { forgetTrees, listByTree } from './list-by-tree';
-import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, dropUnused } from './list-active';
+import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, POWERED, dropUnused } from './list-active';
 import { findMechanisms } from './mechanisms';
 
 export function layOutJoints(t: JointTable, rigid: RigidTable): void {
@@ -65,8 +65,8 @@ function layOutJoint(t: JointTable, k: i32): void {
   const at = placeAt(t, k);
   at.id = id;
   at.parent = word(t.parents, i);
-  // A hinge that has limits, or closes a loop and stands in no block, is solved by rows, as other joints are.
-  const isHinge = (role & (HINGE | LIMITED)) == HINGE && isInTree(at.parent);
+  // A hinge that has limits or a motor, or closes a loop and stands in no block, is solved by rows, as other joints are.
+  const isHinge = (role & (HINGE | LIMITED | POWERED)) == HINGE && isInTree(at.parent);
   at.hinge = !isHinge ? 0 : isWarm(t, i) ? WARM : PLAIN;
   if (at.hinge != PLAIN) {
     t.otherCount++;
@@ -74,6 +74,8 @@ function layOutJoint(t: JointTable, k: i32): void {
   }
   work.parent = at.parent;
   work.limit = 0;
+  work.motor = 0;
+  work.motorLock = -1;
   work.acrossInverse = 0;
   work.reach = 1;
   at.parentRow = at.parent == PARENT_B ? work.b : work.a;

@@ -19,7 +19,7 @@ import {
 export const LOCKS: i32 = 1;
 export const HINGE: i32 = 2;
 const SPRING: i32 = 4;
-const POWERED: i32 = 8;
+export const POWERED: i32 = 8;
 export const LIMITED: i32 = 16;
 const SPECIAL: i32 = 32;
 export const AXES: i32 = SPRING | POWERED | LIMITED | SPECIAL;

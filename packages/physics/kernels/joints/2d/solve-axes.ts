@@ -11,6 +11,7 @@ import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softenSpring, softness } from '../../solver/2d/softness';
 import { DISTANCE, JointImpulses, JointTable, MOTOR, impulsesOf, isCoupling, isSolvedApart } from './joint-table';
+import { APART } from './engage-motors';
 import { CLOSING, LOOP } from './joint-trees';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
@@ -30,7 +31,7 @@ export function solveAxes(table: usize, soft: i32): void {
     if (isCoupling(work.kind) && work.parent != CLOSING) solveCoupling(t, work, impulses, soft != 0);
     if (isSolvedApart(work.kind)) continue;
     if (get(t.hertz, work.id) > 0) solveSpring(t, work, a, b, impulses, rigid.h);
-    if (get(t.maxMotor, work.id) > 0) solveMotor(t, work, a, b, impulses, rigid.h);
+    if (get(t.maxMotor, work.id) > 0 && work.motor == APART) solveMotor(t, work, a, b, impulses, rigid.h);
     if (word(t.hasLimits, work.id) != 0 && work.parent == LOOP) solveLimits(t, work, a, b, impulses, soft != 0);
   }
 }

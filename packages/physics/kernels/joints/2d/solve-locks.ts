@@ -16,6 +16,7 @@ import { softness } from '../../solver/2d/softness';
 import { notePull } from './brace-rods';
 import { closeAllLoops } from './close-loops';
 import { engageLimit, predictLimits, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
+import { engageMotor, exchangeMotors, predictMotor, settleMotor, takeBackMotor } from './engage-motors';
 import { exertHinge, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { DISTANCE, JointTable, impulsesOf } from './joint-table';
 import { LOOP } from './joint-trees';
@@ -33,13 +34,20 @@ export function solveLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
-  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) predictLimits(t, rigid, k);
+  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
+    predictLimits(t, rigid, k);
+    predictMotor(t, rigid, k);
+  }
   for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     applyImpulses(t, rigid, k, -1);
     takeBackLimits(t, rigid, k);
+    takeBackMotor(t, rigid, k);
   }
-  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) engageLimit(t, rigid, k);
+  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
+    engageLimit(t, rigid, k);
+    engageMotor(t, rigid, k);
+  }
   solveAll(t, rigid, softness.biasRate, true, true);
   solveLoops(t);
 }
@@ -48,7 +56,9 @@ export function solveLocks(table: usize): void {
 export function relaxLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  const others = t.otherCount > 0 && releaseLimits(t, rigid);
+  softenJoint(rigid);
+  let others = t.otherCount > 0 && releaseLimits(t, rigid);
+  if (t.otherCount > 0 && exchangeMotors(t, rigid)) others = true;
   if (others) clearMasses(t, rigid);
   softness.massScale = 1;
   softness.impulseScale = 0;
@@ -87,6 +97,7 @@ export function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool
 @inline function watch(t: JointTable, at: JointPlace, k: i32): void {
   if (at.hinge == PLAIN) return watchHinge(at);
   settleLimit(t, workAt(t, k));
+  settleMotor(t, workAt(t, k));
   watchJoint(t, k);
 }
 

@@ -1,0 +1,139 @@
+// Motors of joints in trees. One that can hold its speed locks its direction, and is solved together with all others of its tree;
+// one that cannot pushes with all its force. By itself it would know the masses of its two bodies and not what hangs on them, and
+// would tear at the hinge that it turns. As for limits (engage-limits.ts) one exchange is made in each sub-step, which begins with
+// what was true in the one before.
+import { get } from '../../memory/columns';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { softness } from '../../solver/2d/softness';
+import { JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { LOOP } from './joint-trees';
+import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
+import { JointRow, JointWork, MOTOR_ROW, rowOf, workAt } from './joint-work';
+
+// What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
+export const APART: i32 = 0;
+const HOLDS: i32 = 1;
+const PUSHES_UP: i32 = 2;
+const PUSHES_DOWN: i32 = 3;
+
+// The rows that are locked at most.
+const MOST_LOCKS: i32 = 3;
+
+// Begins a sub-step of a joint, before its motor has done anything. While a limit bears, the motor is solved by itself: its direction
+// is locked already.
+export function startMotor(t: JointTable, work: JointWork): void {
+  const impulses = impulsesOf(t, work.id);
+  const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind) && get(t.maxMotor, work.id) > 0;
+  const isFree = has && impulses.lower == 0 && impulses.upper == 0 && work.locks < MOST_LOCKS;
+  work.motor = isFree ? HOLDS : APART;
+  work.motorLock = -1;
+}
+
+// The largest impulse of a motor in a sub-step.
+// @ts-ignore: decorator
+@inline function mostOf(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
+  return <f64>get(t.maxMotor, work.id) * rigid.h;
+}
+
+// How much faster the joint is than its motor wants it to be.
+// @ts-ignore: decorator
+@inline function excessOf(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
+  const speed = speedAlong(stateA(rigid, work), stateB(rigid, work), rowOf(work, MOTOR_ROW));
+  return speed - <f64>get(t.motorSpeed, work.id);
+}
+
+// Decides what a motor does. One that gave all it had goes on to do so as long as its speed is not reached; and one that could not
+// bring its two bodies to its speed, by themselves, cannot do so with what hangs on them.
+export function predictMotor(t: JointTable, rigid: RigidTable, k: i32): void {
+  const work = workAt(t, k);
+  if (work.motor == APART) return;
+  const row = rowOf(work, MOTOR_ROW);
+  const before = impulsesOf(t, work.id).motor;
+  const excess = excessOf(t, rigid, work);
+  const most = mostOf(t, rigid, work);
+  const isSpent = abs<f64>(before) >= most && before * excess < 0;
+  if (isSpent || abs<f64>(before - excess / coupling(work, row, row)) > most)
+    work.motor = excess < 0 ? PUSHES_UP : PUSHES_DOWN;
+}
+
+// Takes back what it exerted in the last sub-step.
+export function takeBackMotor(t: JointTable, rigid: RigidTable, k: i32): void {
+  const work = workAt(t, k);
+  if (work.motor != APART) push(rigid, work, -impulsesOf(t, work.id).motor);
+}
+
+// After the limits: locks its direction, or pushes.
+export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
+  const work = workAt(t, k);
+  if (work.motor == APART) return;
+  if (work.motor == HOLDS && work.limit == 0) return lockMotor(t, work);
+  const impulses = impulsesOf(t, work.id);
+  const most = mostOf(t, rigid, work);
+  if (work.motor == HOLDS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
+  else impulses.motor = work.motor == PUSHES_UP ? most : -most;
+  push(rigid, work, impulses.motor);
+}
+
+function lockMotor(t: JointTable, work: JointWork): void {
+  const from = rowOf(work, MOTOR_ROW);
+  work.motorLock = work.locks;
+  const to = rowOf(work, work.locks++);
+  to.x = from.x;
+  to.y = from.y;
+  to.armA = from.armA;
+  to.armB = from.armB;
+  to.error = 0;
+  to.chord = -(<f64>get(t.motorSpeed, work.id));
+  impulsesOf(t, work.id).motor = 0;
+}
+
+// Before what joints pulled is taken back: motors that would have to exert more than they can push with all they have, and those
+// that pushed too far hold. Returns whether there are any.
+export function exchangeMotors(t: JointTable, rigid: RigidTable): bool {
+  let any = false;
+  for (let k = 0; k < t.closedCount; k++) {
+    const work = workAt(t, k);
+    if (work.motor != APART && (work.motorLock >= 0 ? overload(t, rigid, work) : overtake(t, rigid, work))) any = true;
+  }
+  return any;
+}
+
+// A soft lock exerts a part of what it will when it is rigid.
+function overload(t: JointTable, rigid: RigidTable, work: JointWork): bool {
+  const impulses = impulsesOf(t, work.id);
+  const held = load<f64>(lockAddress(impulses, work.motorLock));
+  const most = mostOf(t, rigid, work);
+  if (abs<f64>(held) <= most * softness.massScale) return false;
+  unlockMotor(t, work);
+  impulses.motor = held > 0 ? most : -most;
+  push(rigid, work, impulses.motor - held);
+  return true;
+}
+
+function overtake(t: JointTable, rigid: RigidTable, work: JointWork): bool {
+  const impulses = impulsesOf(t, work.id);
+  if (work.limit != 0 || !(impulses.motor * excessOf(t, rigid, work) > 0)) return false;
+  const before = impulses.motor;
+  lockMotor(t, work);
+  store<f64>(lockAddress(impulses, work.motorLock), before);
+  return true;
+}
+
+function unlockMotor(t: JointTable, work: JointWork): void {
+  memory.fill(changetype<usize>(rowOf(work, work.motorLock)), 0, offsetof<JointRow>());
+  store<f64>(lockAddress(impulsesOf(t, work.id), work.motorLock), 0);
+  work.motorLock = -1;
+}
+
+// Ends a sub-step: what a motor that held its speed has exerted.
+export function settleMotor(t: JointTable, work: JointWork): void {
+  if (work.motorLock < 0) return;
+  const impulses = impulsesOf(t, work.id);
+  impulses.motor = load<f64>(lockAddress(impulses, work.motorLock));
+  unlockMotor(t, work);
+}
+
+// @ts-ignore: decorator
+@inline function push(rigid: RigidTable, work: JointWork, impulse: f64): void {
+  applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, MOTOR_ROW), impulse);
+}
