@@ -35,7 +35,7 @@ function anyJoint(random: Random, world: PhysicsWorld, a: number, b: number): Jo
     () => distance({ ...ends, anchorA, anchorB: anchor }),
     () => weld({ ...ends, anchor }),
     () => prismatic({ ...ends, anchor, axis }),
-    () => wheel({ ...ends, anchor, axis }),
+    () => wheel({ ...ends, anchor, axis, spring: { hertz: 0 } }),
   ];
   return kinds[Math.floor(random.uniform(0, kinds.length))]();
 }

@@ -9,15 +9,16 @@
 // Then the tree is solved once more with λ among the impulses on its bodies. What joints exerted before does not matter, as in trees.
 // Pulleys and gears are directions of this kind, too, by which several trees may hang together.
 // Source: Featherstone, Rigid Body Dynamics Algorithms (2008), section 8.5 (loop-closure forces).
-import { stateOf, word } from '../../solver/2d/body';
+import { stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { ArticulatedBody, articulated } from './articulated-body';
+import { ArticulatedBody } from './articulated-body';
 import { ACROSS, notePull } from './brace-rods';
 import { coupling, finite } from './joint-rows';
 import { DISTANCE, GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
-import { bodyIndexOf } from './joint-trees';
+import { treeBody } from './joint-trees';
 import { JointRow, JointWork, rowOf, workAt } from './joint-work';
+import { pushAxes } from './push-axes';
 import { Mechanism, mechanismAt, treeOfMechanism } from './mechanisms';
 import { ROW_A, ROW_B, inverseMassOf } from './solve-couplings';
 import { factorSymmetric, solveSymmetric } from './symmetric-matrix';
@@ -52,7 +53,7 @@ const SIZE: usize = offsetof<LoopRow>();
 
 // Of the inverse mass that both bodies of a joint have by themselves: how much it gives way. Where bars stretch to a line, a loop can
 // follow hardly any error, and what rounding leaves of one must not throw them about.
-const COMPLIANCE: f64 = sizeof<real>() == 4 ? 1e-5 : 1e-6;
+const COMPLIANCE: f64 = 1e-5;
 
 // @ts-ignore: decorator
 @inline function loopRow(t: JointTable, i: i32): LoopRow {
@@ -97,6 +98,7 @@ export function closeLoops(
     row.value = -finite(row.value);
     push(row, row.value);
   }
+  for (let i = 0; i < mechanism.count; i++) pushAxes(t, mechanism.first + i);
   for (let i = 0; i < mechanism.trees; i++) gatherTree(t, rigid, treeOfMechanism(t, mechanism, i), bias, soft);
   softness.massScale = scale;
 }
@@ -149,16 +151,10 @@ function listCoupling(t: JointTable, rigid: RigidTable, mechanism: Mechanism, wo
 
 function startRow(t: JointTable, mechanism: Mechanism, work: JointWork, row: JointRow, bias: f64): LoopRow {
   const to = loopRow(t, mechanism.rows++);
-  to.a = bodyAt(t, work.a);
-  to.b = bodyAt(t, work.b);
+  to.a = treeBody(t, work.a);
+  to.b = treeBody(t, work.b);
   to.wanted = bias * work.reach * row.error + row.chord;
   return to;
-}
-
-// @ts-ignore: decorator
-@inline function bodyAt(t: JointTable, row: i32): usize {
-  const index = bodyIndexOf(t, row);
-  return row != 0 && word(t.bodyRows, index) == row ? changetype<usize>(articulated(t, index)) : 0;
 }
 
 // How fast the bodies of the trees move along a direction.

@@ -9,6 +9,7 @@ import { JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-tabl
 import { LOOP } from './joint-trees';
 import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, rowOf, workAt } from './joint-work';
+import { leaveRest } from './push-axes';
 
 // What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
 export const APART: i32 = 0;
@@ -27,6 +28,7 @@ export function startMotor(t: JointTable, work: JointWork): void {
   const isFree = has && impulses.lower == 0 && impulses.upper == 0 && work.locks < MOST_LOCKS;
   work.motor = isFree ? HOLDS : APART;
   work.motorLock = -1;
+  work.push = 0;
 }
 
 // The largest impulse of a motor in a sub-step.
@@ -49,29 +51,33 @@ export function predictMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   if (work.motor == APART) return;
   const row = rowOf(work, MOTOR_ROW);
   const before = impulsesOf(t, work.id).motor;
-  const excess = excessOf(t, rigid, work);
   const most = mostOf(t, rigid, work);
+  const excess = excessOf(t, rigid, work);
   const isSpent = abs<f64>(before) >= most && before * excess < 0;
-  if (isSpent || abs<f64>(before - excess / coupling(work, row, row)) > most)
+  const wanted = before - excess / coupling(work, row, row);
+  if (isSpent || (abs<f64>(before) < most && abs<f64>(wanted) > most))
     work.motor = excess < 0 ? PUSHES_UP : PUSHES_DOWN;
 }
 
 // Takes back what it exerted in the last sub-step.
 export function takeBackMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
-  if (work.motor != APART) push(rigid, work, -impulsesOf(t, work.id).motor);
+  if (work.motor == APART) return;
+  const row = rowOf(work, MOTOR_ROW);
+  applyAlong(work, stateA(rigid, work), stateB(rigid, work), row, -impulsesOf(t, work.id).motor);
 }
 
 // After the limits: locks its direction, or pushes.
 export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
+  work.push = 0;
   if (work.motor == APART) return;
   if (work.motor == HOLDS && work.limit == 0) return lockMotor(t, work);
   const impulses = impulsesOf(t, work.id);
   const most = mostOf(t, rigid, work);
   if (work.motor == HOLDS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
   else impulses.motor = work.motor == PUSHES_UP ? most : -most;
-  push(rigid, work, impulses.motor);
+  work.push = impulses.motor;
 }
 
 function lockMotor(t: JointTable, work: JointWork): void {
@@ -88,17 +94,20 @@ function lockMotor(t: JointTable, work: JointWork): void {
 }
 
 // Before what joints pulled is taken back: motors that would have to exert more than they can push with all they have, and those
-// that pushed too far hold. Returns whether there are any.
+// that pushed too far hold. Returns whether there are any. In a soft pass, what is exerted moves bodies by a part only (softness.ts);
+// the rest follows now.
 export function exchangeMotors(t: JointTable, rigid: RigidTable): bool {
   let any = false;
   for (let k = 0; k < t.closedCount; k++) {
     const work = workAt(t, k);
-    if (work.motor != APART && (work.motorLock >= 0 ? overload(t, rigid, work) : overtake(t, rigid, work))) any = true;
+    const pushed = softness.massScale * work.push;
+    leaveRest(work);
+    if (work.motor != APART && (work.motorLock >= 0 ? overload(t, rigid, work) : overtake(t, rigid, work, pushed)))
+      any = true;
   }
   return any;
 }
 
-// A soft lock exerts a part of what it will when it is rigid.
 function overload(t: JointTable, rigid: RigidTable, work: JointWork): bool {
   const impulses = impulsesOf(t, work.id);
   const held = load<f64>(lockAddress(impulses, work.motorLock));
@@ -106,16 +115,16 @@ function overload(t: JointTable, rigid: RigidTable, work: JointWork): bool {
   if (abs<f64>(held) <= most * softness.massScale) return false;
   unlockMotor(t, work);
   impulses.motor = held > 0 ? most : -most;
-  push(rigid, work, impulses.motor - held);
+  work.push = impulses.motor - held;
   return true;
 }
 
-function overtake(t: JointTable, rigid: RigidTable, work: JointWork): bool {
+function overtake(t: JointTable, rigid: RigidTable, work: JointWork, pushed: f64): bool {
   const impulses = impulsesOf(t, work.id);
   if (work.limit != 0 || !(impulses.motor * excessOf(t, rigid, work) > 0)) return false;
-  const before = impulses.motor;
   lockMotor(t, work);
-  store<f64>(lockAddress(impulses, work.motorLock), before);
+  work.push = 0;
+  store<f64>(lockAddress(impulses, work.motorLock), pushed);
   return true;
 }
 
@@ -127,13 +136,12 @@ function unlockMotor(t: JointTable, work: JointWork): void {
 
 // Ends a sub-step: what a motor that held its speed has exerted.
 export function settleMotor(t: JointTable, work: JointWork): void {
+  work.push = 0;
+  work.springPush = 0;
+  // Joints may be relaxed once more, after impacts, in which motors have no part.
+  work.motor = APART;
   if (work.motorLock < 0) return;
   const impulses = impulsesOf(t, work.id);
   impulses.motor = load<f64>(lockAddress(impulses, work.motorLock));
   unlockMotor(t, work);
-}
-
-// @ts-ignore: decorator
-@inline function push(rigid: RigidTable, work: JointWork, impulse: f64): void {
-  applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, MOTOR_ROW), impulse);
 }

@@ -2,6 +2,7 @@
 // does not move belongs to no tree: a bridge between two pillars is one tree, and so is a chain from the ceiling. A joint
 // that closes a loop is left out and solved by itself, after the others.
 import { putWord, word } from '../../solver/2d/body';
+import { articulated } from './articulated-body';
 import { JointTable } from './joint-table';
 import { COUPLES, LOCKS, ROPE } from './list-active';
 
@@ -75,6 +76,16 @@ function listRoots(t: JointTable): void {
 // @ts-ignore: decorator
 @inline export function bodyIndexOf(t: JointTable, row: i32): i32 {
   return REACHED - word(t.heads, row);
+}
+
+// A body of a tree, class ArticulatedBody, 0 for one that joints do not move.
+// @ts-ignore: decorator
+@inline export function treeBody(t: JointTable, row: i32): usize {
+  if (row == 0) return 0;
+  const index = bodyIndexOf(t, row);
+  return index >= 0 && index < t.bodyCount && word(t.bodyRows, index) == row
+    ? changetype<usize>(articulated(t, index))
+    : 0;
 }
 
 // @ts-ignore: decorator

@@ -33,6 +33,9 @@ export class JointWork {
   motor: i32;
   motorLock: i32;
   pad: i32;
+  // What a motor that pushes and a spring add to the impulses on the tree in this pass, N s or N m s (push-axes.ts).
+  push: f64;
+  springPush: f64;
   // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
   hasAxes: i32;
   // Rows of the states of a and b, 0 for one that does not move, and of their poses.

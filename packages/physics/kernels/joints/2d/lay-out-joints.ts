@@ -76,6 +76,8 @@ function layOutJoint(t: JointTable, k: i32): void {
   work.limit = 0;
   work.motor = 0;
   work.motorLock = -1;
+  work.push = 0;
+  work.springPush = 0;
   work.acrossInverse = 0;
   work.reach = 1;
   at.parentRow = at.parent == PARENT_B ? work.b : work.a;

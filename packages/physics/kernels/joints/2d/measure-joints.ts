@@ -116,9 +116,12 @@ function lockAngle(t: JointTable, work: JointWork, i: i32): void {
   work.locks = i + 1;
 }
 
-// A motor joint pulls at the point and the angle, and locks neither.
+// A motor joint pulls at the point and the angle, and locks neither. It pulls at both bodies where b is, however far that is from where
+// it should be.
 function followPoint(t: JointTable, work: JointWork): void {
   lockPoint(work);
+  rowOf(work, 0).armA = -(work.ray + work.dy);
+  rowOf(work, 1).armA = work.rax + work.dx;
   aboutAngle(rowOf(work, 2), angleBetween(t, work));
   work.locks = 0;
 }

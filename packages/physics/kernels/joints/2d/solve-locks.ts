@@ -22,6 +22,7 @@ import { DISTANCE, JointTable, impulsesOf } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointPlace, PLAIN, placeAt, rowOf, signOf, startAt, workAt } from './joint-work';
 import { applyLocks, finite, speedAlong, stateA, stateB } from './joint-rows';
+import { bearSpring, pushAxes } from './push-axes';
 import { factorJoint, gatherJoint, passJoint } from './row-locks';
 import { softenJoint } from './soft-impulse';
 import { relaxLoops, solveLoops } from './solve-loops';
@@ -43,6 +44,7 @@ export function solveLocks(table: usize): void {
     applyImpulses(t, rigid, k, -1);
     takeBackLimits(t, rigid, k);
     takeBackMotor(t, rigid, k);
+    bearSpring(t, rigid, k);
   }
   for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
     engageLimit(t, rigid, k);
@@ -68,6 +70,7 @@ export function relaxLocks(table: usize): void {
 
 // One function for both, because a branch on `soft` costs less than the code would weigh twice. With `factor` matrices are made.
 export function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, factor: bool): void {
+  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) if (placeAt(t, k).hinge != PLAIN) pushAxes(t, k);
   for (let k = t.treeCount - 1; k >= 0; k--) {
     const at = placeAt(t, k);
     if (soft && at.hinge == PLAIN) measureHinge(rigid, at, startAt(t, k));

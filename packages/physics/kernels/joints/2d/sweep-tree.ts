@@ -7,11 +7,13 @@ import { follow, gatherHinge, gatherHingeResponse, passHinge, passHingeResponse 
 import { JointTable } from './joint-table';
 import { placeAt, startAt, workAt } from './joint-work';
 import { jointsOfTree } from './list-by-tree';
+import { pushAxes } from './push-axes';
 import { gatherJoint, gatherResponse, passJoint, passResponse } from './row-locks';
 
 // From the ends: what the root bears, with the matrices that there are.
 export function gatherTree(t: JointTable, rigid: RigidTable, tree: i32, bias: f64, soft: bool): void {
   const first = word(t.treeStarts, tree);
+  for (let i = jointsOfTree(t, tree) - 1; i >= 0; i--) pushAxes(t, word(t.treeJoints, first + i));
   for (let i = jointsOfTree(t, tree) - 1; i >= 0; i--) {
     const k = word(t.treeJoints, first + i);
     const at = placeAt(t, k);
