@@ -80,10 +80,6 @@ function pointerOf({ pointer }: Example): HTMLElement[] {
 /** Presets, and the address of the present moment. */
 function buttonsOf({ id, presets, parameters }: Example): HTMLElement[] {
   const row = element('div', 'lab-presets');
-  if (Object.keys(parameters).length > 0) {
-    const defaults = { href: withLanguage(`?example=${id}`), title: WORDS.defaultsHint };
-    row.append(element('a', '', defaults, WORDS.defaults));
-  }
   for (const { label, values } of presets) {
     const query = new URLSearchParams({ example: id });
     for (const [name, value] of Object.entries(values)) query.set(name, String(value));

@@ -70,3 +70,20 @@ it('leaves the keys that a game takes to the game, in the help too', () => {
   ]);
   expect(help.map(([keys]) => keys).filter((keys) => keys === 'M')).toHaveLength(1);
 });
+
+it('names the gestures of the views and the buttons on the screen where a game has no help for touch', () => {
+  const { actions } = recorded();
+  const controls = {
+    buttons: { ...FOUR_WAYS, action: { label: '●', keys: [' '] }, mute: { label: 'M', keys: ['m'], touch: false } },
+    press() {},
+    release() {},
+  };
+  const inputs = (game: object) => gameCommands({ ...plain, ...game } as unknown as Game, actions).gestures;
+  const bar = ['▶', '◀◀', '↻', 'Sliders', '?'];
+  expect(inputs({}).map(([input]) => input)).toEqual(['Drag a body', 'Two fingers', ...bar]);
+  const renderers = { three: renderer(3) };
+  const lines = inputs({ controls, renderers, help: [['Arrow keys', 'steer', '']] });
+  const pad = ['▲', '◀', '▶', '▼', '●'];
+  expect(lines.map(([input]) => input)).toEqual(['Drag a body', 'Drag beside bodies', 'Two fingers', ...pad, ...bar]);
+  expect(lines).toContainEqual(['●', 'action']);
+});

@@ -1,6 +1,7 @@
-import type { GameDefinition, HelpLine, Simulation } from './game.ts';
+import type { GameDefinition, Simulation } from './game.ts';
 import type { Keys } from './keyboard.ts';
 import type { Settings } from './settings.ts';
+import { touchHelp } from './touch-help.ts';
 import { words } from './words.ts';
 
 /** The actions that the player has in every game. */
@@ -90,12 +91,8 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
     // The help leaves out a key that the game uses for itself.
     help.push([free.length === keys.length ? shown : free.map((key) => key.toUpperCase()).join(' '), description]);
   }
-  const own = game.help ?? [];
-  const line = ([keys, text]: HelpLine) => [keys, text] as const;
-  const gestures = own
-    .filter(([, , gesture]) => gesture !== '')
-    .map(([input, text, gesture = input, onTouch = text]) => [gesture, onTouch] as const);
-  return { pressed, released, help: [...own.map(line), ...help], gestures };
+  const own = (game.help ?? []).map(([keys, text]) => [keys, text] as const);
+  return { pressed, released, help: [...own, ...help], gestures: touchHelp(game) };
 }
 
 function settingCommands(settings: Settings, { toggle }: Actions): Command[] {

@@ -1,4 +1,5 @@
 import type { GUI, NumberController } from 'lil-gui';
+import { readField } from './number-field.ts';
 import type { NumberSetting } from './settings.ts';
 
 /** Factor of one press of an arrow key or one notch of the wheel. */
@@ -39,40 +40,13 @@ export function addLogSlider<Name extends string>(
     return controller;
   };
   const set = (value: number) => controller.setValue(Math.log10(tidy(value)));
-  // Runs in the capture phase, before lil-gui's listener on the input, which would read the typed value as an exponent.
-  domElement.addEventListener(
-    'input',
-    (event) => {
-      event.stopPropagation();
-      const typed = Number.parseFloat(input.value);
-      if (Number.isFinite(typed)) set(typed);
-    },
-    true,
-  );
-  const nudge = (event: Event, up: boolean) => {
-    event.stopPropagation();
-    event.preventDefault();
-    const value = values[name];
-    set(
-      up
+  readField(domElement, {
+    read: () => values[name],
+    write: set,
+    moved: (value, steps) =>
+      steps > 0
         ? Math.max(value * STEP_FACTOR, value + (integer ? 1 : 0))
         : Math.min(value / STEP_FACTOR, value - (integer ? 1 : 0)),
-    );
-    input.value = String(values[name]);
-  };
-  domElement.addEventListener(
-    'keydown',
-    (event) => {
-      if (event.code === 'ArrowUp' || event.code === 'ArrowDown') nudge(event, event.code === 'ArrowUp');
-    },
-    true,
-  );
-  domElement.addEventListener(
-    'wheel',
-    (event) => {
-      if (document.activeElement === input) nudge(event, event.deltaY < 0);
-    },
-    { capture: true, passive: false },
-  );
+  });
   return controller.updateDisplay() as NumberController;
 }

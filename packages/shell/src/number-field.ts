@@ -31,3 +31,53 @@ export function speakNumbers(input: HTMLInputElement, { isWhole = false, min = 0
     set: (value: unknown) => set?.call(input, inLanguage(String(value))),
   });
 }
+
+/** What a field of a slider reads and writes. */
+export interface FieldTarget {
+  read(): number;
+  /** Takes what somebody typed. */
+  write(value: number): void;
+  /** The value some steps further: one for an arrow key or a notch of the wheel, ten with Shift, negative downwards. */
+  moved(value: number, steps: number): number;
+}
+
+/**
+ * Reads the field of a slider of lil-gui: in the capture phase, before lil-gui's listeners, which would round what is typed to
+ * the steps of the slider.
+ */
+export function readField(controller: HTMLElement, { read, write, moved }: FieldTarget): void {
+  const input = controller.querySelector('input') as HTMLInputElement;
+  const move = (event: Event, steps: number) => {
+    event.stopPropagation();
+    event.preventDefault();
+    write(moved(read(), steps));
+    input.value = String(read());
+  };
+  const type = (event: Event) => {
+    event.stopPropagation();
+    const typed = Number.parseFloat(input.value);
+    if (Number.isFinite(typed)) write(typed);
+  };
+  const press = (event: KeyboardEvent) => {
+    const size = event.shiftKey ? 10 : 1;
+    if (event.code === 'ArrowUp') move(event, size);
+    else if (event.code === 'ArrowDown') move(event, -size);
+  };
+  const turn = (event: WheelEvent) => {
+    if (document.activeElement === input) move(event, event.deltaY < 0 ? 1 : -1);
+  };
+  controller.addEventListener('input', type, true);
+  controller.addEventListener('keydown', press, true);
+  controller.addEventListener('wheel', turn, { capture: true, passive: false });
+}
+
+/** Significant digits that a field shows at most. */
+const DIGITS = 7;
+
+/** Decimals that show a number in full, up to seven digits. @param least shown even where they are zero */
+export function decimalsOf(value: number, least: number): number {
+  const wanted = Number(value.toPrecision(DIGITS));
+  let decimals = least;
+  while (decimals < 12 && Number(value.toFixed(decimals)) !== wanted) decimals++;
+  return decimals;
+}

@@ -1,6 +1,6 @@
 import { type Controller, GUI } from 'lil-gui';
 import { addLogSlider } from './log-slider.ts';
-import { speakNumbers } from './number-field.ts';
+import { decimalsOf, readField, speakNumbers } from './number-field.ts';
 import type { NumberSetting, Setting, Settings } from './settings.ts';
 import { words } from './words.ts';
 
@@ -10,6 +10,7 @@ export interface Panel {
   refresh(): void;
   /** Shows limits that the game has moved since; cheap if none was. */
   showLimits(): void;
+  destroy(): void;
 }
 
 /**
@@ -47,6 +48,7 @@ export function createPanel(
     named.onChange(() => controller.updateDisplay());
     return [controller, named];
   });
+  if (controllers.length > 0) addDefaults(gui, settings, values, onChange);
   const refresh = () => {
     for (const controller of controllers) controller.updateDisplay();
   };
@@ -61,7 +63,23 @@ export function createPanel(
       if (sum !== limit) refresh();
       limit = sum;
     },
+    destroy: () => gui.destroy(),
   };
+}
+
+/** A button that gives every setting the value that it begins with. */
+function addDefaults(
+  gui: GUI,
+  settings: Settings,
+  values: Readonly<Record<string, unknown>>,
+  onChange: (name: string, value: unknown) => void,
+): void {
+  const restore = () => {
+    for (const [name, { initial }] of Object.entries(settings)) if (values[name] !== initial) onChange(name, initial);
+    for (const controller of gui.controllers) controller.updateDisplay();
+  };
+  const { domElement } = gui.add({ restore }, 'restore').name(words().defaults);
+  domElement.title = words().defaultsHint;
 }
 
 /** A list of named values of a slider. */
@@ -96,14 +114,27 @@ function addController(gui: GUI, proxy: Record<string, never>, name: string, set
 function addSlider(gui: GUI, proxy: Record<string, never>, name: string, setting: NumberSetting): Controller {
   if (setting.scale === 'log') return addLogSlider(gui, proxy, name, setting);
   const step = stepOf(setting);
-  const decimals = Math.max(0, -Math.floor(Math.log10(step)));
-  const controller = gui.add(proxy, name, setting.min, setting.max, step).decimals(decimals);
+  const leastDecimals = Math.max(0, -Math.floor(Math.log10(step)));
+  const controller = gui.add(proxy, name, setting.min, setting.max, step);
+  const input = controller.domElement.querySelector('input') as HTMLInputElement;
+  const read = () => proxy[name] as number;
   const show = controller.updateDisplay.bind(controller);
   controller.updateDisplay = () => {
     // A single value is no choice.
     controller.max(setting.max).enable(setting.max > setting.min);
-    return show();
+    show();
+    // A value need not lie on a step of the slider.
+    if (document.activeElement !== input) input.value = read().toFixed(decimalsOf(read(), leastDecimals));
+    return controller;
   };
+  readField(controller.domElement, {
+    read,
+    write(value) {
+      const whole = setting.integer ? Math.round(value) : value;
+      controller.setValue(Math.min(setting.max, Math.max(setting.min, whole)));
+    },
+    moved: (value, steps) => Number((value + steps * step).toFixed(decimalsOf(value, leastDecimals))),
+  });
   return controller;
 }
 

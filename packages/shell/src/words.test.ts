@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { wordProblems } from '../../../test/support/words.ts';
 import { decimal, grouped, LANGUAGES, language, preferredLanguage } from './language.ts';
-import { plainNumber } from './number-field.ts';
+import { decimalsOf, plainNumber } from './number-field.ts';
 import { siNumber } from './si-number.ts';
 import { WORDS_BY_LANGUAGE, words } from './words.ts';
 
@@ -44,6 +44,19 @@ it.each([
   ['', false, ''],
 ])('reads %j, whole: %j, as %j', (typed, isWhole, plain) => {
   expect(plainNumber(typed, isWhole)).toBe(plain);
+});
+
+it.each([
+  [9.81, 1, '9.81'],
+  [9, 1, '9.0'],
+  [250, 0, '250'],
+  [0.1 + 0.2, 1, '0.3'],
+  [1 / 3, 1, '0.3333333'],
+  [-2.5e-6, 2, '-0.0000025'],
+  [123_456.789, 0, '123456.8'],
+  [0, 2, '0.00'],
+])('shows %j in full, with %j decimals at least: %j', (value, least, shown) => {
+  expect(value.toFixed(decimalsOf(value, least))).toBe(shown);
 });
 
 it('speaks English outside a page', () => {

@@ -24,6 +24,8 @@ const en = {
   clipSaved: (name: string) => `Your clip was saved as ${name}.`,
   close: 'Close',
   colorsTool: 'Colour-blind palette',
+  defaults: 'Defaults',
+  defaultsHint: 'Set everything to the values of the beginning',
   contextLost: 'Graphics interrupted – restoring…',
   controls: 'Controls',
   copyLink: 'Copy link',
@@ -139,6 +141,17 @@ const en = {
     video: 'record video; press again to stop',
     zoom: 'zoom in, zoom out',
   },
+  /** Lines of the help on touch screens, of games that give none: gestures, and the buttons of the bar by their signs. */
+  gestures: {
+    drag: ['Drag a body', 'pull it; let go to throw it'],
+    turn: ['Drag beside bodies', 'turn the view'],
+    fingers: ['Two fingers', 'move the view, zoom in and out'],
+    pause: ['▶', 'pause and resume'],
+    rewind: ['◀◀', 'rewind while you hold it'],
+    restart: ['↻', 'restart'],
+    panel: ['Sliders', 'settings, plots, screenshots and videos'],
+    help: ['?', 'this help'],
+  },
   /** Sentences about values in the address. */
   address: {
     instead: (problem: string, value: string) => `In the address, ${problem} Using ${value} instead.`,
@@ -182,6 +195,8 @@ const de: Words = {
   clipSaved: (name) => `Dein Clip wurde als ${name} gespeichert.`,
   close: 'Schließen',
   colorsTool: 'Palette für Farbenblinde',
+  defaults: 'Standard',
+  defaultsHint: 'Alles auf die Werte vom Anfang setzen',
   contextLost: 'Grafik unterbrochen – wird wiederhergestellt …',
   controls: 'Steuerung',
   copyLink: 'Link kopieren',
@@ -292,6 +307,16 @@ const de: Words = {
     stepBack: 'ein Schritt zurück',
     video: 'Video aufnehmen; noch einmal drücken beendet es',
     zoom: 'heran- und wegzoomen',
+  },
+  gestures: {
+    drag: ['Körper ziehen', 'er folgt; loslassen wirft ihn'],
+    turn: ['Daneben ziehen', 'dreht die Ansicht'],
+    fingers: ['Zwei Finger', 'verschieben die Ansicht und zoomen'],
+    pause: ['▶', 'Pause und weiter'],
+    rewind: ['◀◀', 'zurückspulen, solange du hältst'],
+    restart: ['↻', 'neu starten'],
+    panel: ['Regler', 'Einstellungen, Diagramme, Screenshots und Videos'],
+    help: ['?', 'diese Hilfe'],
   },
   address: {
     instead: (problem, value) => `In der Adresse: ${problem} Stattdessen gilt ${value}.`,
