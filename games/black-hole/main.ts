@@ -7,7 +7,7 @@ import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
 
-await startGame({
+startGame({
   title: WORDS.title,
   scoresName: 'Black hole',
   home: '../index.html',

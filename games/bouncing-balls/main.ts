@@ -10,7 +10,7 @@ document.title = WORDS.title;
 /** Settings that the world does not know. */
 const PICTURE = ['trails', 'sound', 'magnet'];
 
-await startGame({
+startGame({
   title: WORDS.title,
   home: '../index.html',
   variesSeed: true,

@@ -8,7 +8,7 @@ import { WORDS } from './words.ts';
 document.title = WORDS.title;
 const print = new ClothPrint();
 
-await startGame({
+startGame({
   title: WORDS.title,
   home: '../index.html',
   settings,

@@ -10,7 +10,7 @@ const controls = new PlayerControls(location.hash);
 
 document.title = WORDS.title;
 
-await startGame({
+startGame({
   title: WORDS.title,
   home: '../index.html',
   settings,

@@ -14,7 +14,7 @@ function outcome({ log, mission }: Flight) {
   return { title, score: log.score, lines, share: WORDS.share(WORDS.missions[mission], log.score) };
 }
 
-await startGame({
+startGame({
   title: WORDS.title,
   scoresName: 'Flight simulator',
   home: '../index.html',

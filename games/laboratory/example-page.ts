@@ -71,13 +71,15 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
         [WORDS.drag[0], WORDS.drag[1]],
       ],
     },
-    rest.toString(),
-    [
-      ...problems,
-      ...(carried === '' ? [WORDS.code.unreadable] : []),
-      ...(problem === '' ? [] : [WORDS.code.fails(problem)]),
-    ],
-  );
+    {
+      query: rest.toString(),
+      problems: [
+        ...problems,
+        ...(carried === '' ? [WORDS.code.unreadable] : []),
+        ...(problem === '' ? [] : [WORDS.code.fails(problem)]),
+      ],
+    },
+  ).ready;
   addListLink();
   document.querySelector('.game-title')?.setAttribute('lang', 'en');
   await goTo(moment);

@@ -28,7 +28,7 @@ const digits = BODY_NAMES.slice(0, 10).map(
   (_, i) => [`follow ${i}`, { label: '', keys: [String(i)], touch: false }] as const,
 );
 
-await startGame({
+startGame({
   title: WORDS.title,
   scoresName: 'Solar system',
   home: '../index.html',

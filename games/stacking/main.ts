@@ -19,7 +19,7 @@ let scene = await readScene(text ?? '').catch((error: Error) => {
   return undefined;
 });
 
-await startGame({
+startGame({
   title: WORDS.title,
   home: '../index.html',
   settings,

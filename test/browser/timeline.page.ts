@@ -17,7 +17,7 @@ declare global {
 
 globalThis.timelineLab = lab;
 
-await startGame({
+startGame({
   title: 'A fall',
   hasTimeline: !new URLSearchParams(location.search).has('bare'),
   settings: { g: { kind: 'number', label: 'Gravity', unit: 'm/s²', initial: 9.81, min: 0, max: 30, integer: false } },

@@ -13,7 +13,7 @@ import { type BodySource, type Camera2D, fit as fitCamera, worldSource } from '@
 import { type BodyLayer, createBodyLayer } from '@principia/render-pixi';
 import { type BodyMesh, createBodyMesh } from '@principia/render-three';
 import { gas, type Scene } from '@principia/scenes';
-import { type GameDefinition, type Simulation, startGame } from '@principia/shell';
+import { type GameDefinition, type RunningGame, type Simulation, startGame } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import type { Container } from 'pixi.js';
 import type { Object3D } from 'three';
@@ -58,7 +58,7 @@ gas.create({ count: 10, fraction: 0.1 });
 gas.create({ nonsense: 1 });
 
 // biome-ignore lint/complexity/noBannedTypes: a game without settings
-export const play = (game: GameDefinition<{}, Simulation>): Promise<void> => startGame(game);
+export const play = (game: GameDefinition<{}, Simulation>): RunningGame => startGame(game);
 // @ts-expect-error: a game has a title
 startGame({ nonsense: true });
 export const view = openPixiView;

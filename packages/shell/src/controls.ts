@@ -1,4 +1,5 @@
 import { element } from './element.ts';
+import type { KeyTarget } from './keyboard.ts';
 import { createTouchStick, Stick } from './stick.ts';
 import { words } from './words.ts';
 
@@ -83,11 +84,15 @@ class HeldButtons {
   }
 }
 
-/** Listens to keys, the touch pad and gamepads. @param parent element that receives the touch pad */
+/**
+ * Listens to keys, the touch pad and gamepads.
+ * @param parent element that receives the touch pad @param within hears the keys; default the whole page
+ */
 export function listenToControls<Sim>(
   parent: HTMLElement,
   controls: Controls<Sim>,
   sim: () => Sim,
+  within: KeyTarget = document,
   gamepads: () => readonly (Gamepad | null)[] = connectedGamepads,
 ): ControlListener {
   const { buttons } = controls;
@@ -96,7 +101,7 @@ export function listenToControls<Sim>(
     (name) => controls.press(sim(), name),
     (name) => controls.release(sim(), name),
   );
-  const stopKeys = listenToHeldKeys(buttons, held);
+  const stopKeys = listenToHeldKeys(buttons, held, within);
   const pad = createTouchPad(buttons, held, stick);
   pad.toggleAttribute('data-mouse', controls.forMouse === true);
   parent.append(pad);
@@ -132,7 +137,11 @@ export function listenToControls<Sim>(
   };
 }
 
-function listenToHeldKeys(buttons: Readonly<Record<string, ControlButton>>, held: HeldButtons): () => void {
+function listenToHeldKeys(
+  buttons: Readonly<Record<string, ControlButton>>,
+  held: HeldButtons,
+  within: KeyTarget,
+): () => void {
   const names = new Map(Object.entries(buttons).flatMap(([name, { keys }]) => keys.map((key) => [key, name])));
   const listen = (event: KeyboardEvent) => {
     const name = names.get(event.key.toLowerCase());
@@ -145,10 +154,10 @@ function listenToHeldKeys(buttons: Readonly<Record<string, ControlButton>>, held
     event.preventDefault();
     if (!event.repeat) held.set(name, event.key.toLowerCase(), down);
   };
-  document.addEventListener('keydown', listen);
+  within.addEventListener('keydown', listen);
   document.addEventListener('keyup', listen);
   return () => {
-    document.removeEventListener('keydown', listen);
+    within.removeEventListener('keydown', listen);
     document.removeEventListener('keyup', listen);
   };
 }

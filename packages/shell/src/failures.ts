@@ -12,10 +12,10 @@ export class Failures {
     this.#restart = restart;
   }
 
-  /** Reports the errors of the whole page. */
-  listen(): void {
-    globalThis.addEventListener('error', (event) => this.report(event.error ?? event.message));
-    globalThis.addEventListener('unhandledrejection', (event) => this.report(event.reason));
+  /** Reports the errors of the whole page until the signal. */
+  listen(signal: AbortSignal): void {
+    globalThis.addEventListener('error', (event) => this.report(event.error ?? event.message), { signal });
+    globalThis.addEventListener('unhandledrejection', (event) => this.report(event.reason), { signal });
   }
 
   /** Runs an action and reports its errors. */

@@ -6,14 +6,15 @@ import { type ControlListener, listenToControls } from './controls.ts';
 import { Failures } from './failures.ts';
 import { tendFocus } from './focus.ts';
 import { DRAW, FRAME, FrameTimes, STEP } from './frame-times.ts';
-import { toggleFullScreen } from './full-screen.ts';
 import type { GameDefinition, Simulation } from './game.ts';
+import { createActions } from './game-actions.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
-import { RESET_INTERVAL, SLOW_MOTION, STATS_INTERVAL } from './intervals.ts';
+import { RESET_INTERVAL, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
 import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
+import { listenToPage, systemReducesMotion } from './page-events.ts';
 import { type AppearanceOptions, Preferences } from './preferences.ts';
 import { isPreview, startPreview } from './preview.ts';
 import { Session } from './session.ts';
@@ -29,32 +30,37 @@ import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
 import { words } from './words.ts';
 
+/** Where a game is. */
+export interface GamePlace {
+  /** The element of the page that the game fills; undefined if it has the whole page. */
+  readonly parent: HTMLElement | undefined;
+  /** Address of what is on display; undefined for that of its settings, its seed, its renderer and its plot. */
+  readonly link: (() => string) | undefined;
+}
+
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #game: GameDefinition<S, Sim>;
-  readonly #session: Session<S, Sim>;
-  readonly #address: Address<S>;
-  readonly #layout: Layout;
+  readonly session: Session<S, Sim>;
+  readonly address: Address<S>;
+  readonly layout: Layout;
   readonly #banner: Banner;
-  readonly #failures: Failures;
-  readonly #views: ViewHost<S, Sim>;
+  readonly failures: Failures;
+  readonly views: ViewHost<S, Sim>;
   readonly #toolbar: Toolbar;
-  readonly #sharing: Sharing;
-  readonly #help: HelpDialog;
-  readonly #space: SpaceBar;
+  readonly sharing: Sharing;
+  readonly help: HelpDialog;
+  readonly space: SpaceBar;
   readonly #controls: ControlListener | undefined;
   readonly #outcome: OutcomeCard | undefined;
   readonly #timeline: Timeline | undefined;
   readonly #actions: Actions;
   readonly #commands: Commands;
   /** Created after the first frame. */
-  #sidebar: Sidebar<Sim> | undefined;
-  readonly #preferences = new Preferences(matchMedia('(prefers-reduced-motion: reduce)').matches);
-  #renderer: string;
-  /** The renderer that the player chose last; its code may not have been loaded. */
-  #wanted: string;
+  sidebar: Sidebar<Sim> | undefined;
+  readonly preferences = new Preferences(systemReducesMotion());
   /** The player holds the rewind button. */
-  #rewinding = false;
+  rewinding = false;
   /** A changed setting requires a new world. */
   #resetWanted = false;
   #sinceReset = 0;
@@ -65,28 +71,41 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #tick = 0;
   readonly #timing = new FrameTimes();
   readonly #stats = noStatistics();
+  readonly #place: GamePlace;
+  /** What hears the keys. */
+  readonly #keyTarget: HTMLElement | Document;
+  /** Ends the listeners of the game. */
+  readonly #end = new AbortController();
 
-  constructor(game: GameDefinition<S, Sim>, address: Address<S>) {
+  constructor(game: GameDefinition<S, Sim>, address: Address<S>, place: GamePlace) {
+    const { parent } = place;
+    const { signal } = this.#end;
     this.#game = game;
-    this.#renderer = address.renderer;
-    this.#wanted = address.renderer;
-    this.#address = address;
-    this.#session = new Session(game, address.values, address.seed);
-    this.#session.paused = address.manual;
-    this.#layout = createLayout(game.title, () => this.#views.view?.fit(), game.hasSheet);
-    this.#banner = createBanner(this.#layout.root);
-    this.#failures = new Failures(this.#banner, () => this.#reset());
+    this.#place = place;
+    this.address = address;
+    this.session = new Session(game, address.values, address.seed);
+    this.session.paused = address.manual;
+    this.layout = createLayout({
+      title: game.title,
+      parent,
+      isSheet: game.hasSheet,
+      onSidebar: () => this.views.view?.fit(),
+      signal,
+    });
+    this.#banner = createBanner(this.layout.root);
+    this.failures = new Failures(this.#banner, () => this.reset());
     const renderers = Object.entries(game.renderers).map(([name, { label }]) => [name, label] as const);
-    this.#actions = this.#makeActions();
+    this.#actions = createActions(this);
     this.#commands = gameCommands(game, this.#actions);
-    this.#toolbar = createToolbar(this.#layout.bar, this.#actions, renderers, game.home);
-    const { root } = this.#layout;
-    tendFocus(root);
-    this.#space = new SpaceBar(this.#layout.stage, () => this.#pause());
-    this.#sharing = this.#makeSharing();
-    this.#help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
-    this.#controls = game.controls && listenToControls(root, game.controls, () => this.#session.sim);
-    this.#timeline = game.hasTimeline ? createTimeline(root, this.#session, (moment) => this.#seek(moment)) : undefined;
+    this.#toolbar = createToolbar(this.layout.bar, this.#actions, renderers, game.home);
+    const { root } = this.layout;
+    this.#keyTarget = parent === undefined ? document : root;
+    tendFocus(root, parent !== undefined, signal);
+    this.space = new SpaceBar(this.layout.stage, () => this.pause());
+    this.sharing = this.#makeSharing();
+    this.help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
+    this.#controls = game.controls && listenToControls(root, game.controls, () => this.session.sim, this.#keyTarget);
+    this.#timeline = game.hasTimeline ? createTimeline(root, this.session, (moment) => this.#seek(moment)) : undefined;
     const watch = game.replay && this.#actions.replay;
     this.#outcome =
       game.outcome &&
@@ -95,20 +114,23 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
         game.scoresName ?? game.title,
         () => this.#playAgain(),
         watch,
-        (text) => void this.#sharing.share(text),
+        (text) => void this.sharing.share(text),
       );
-    this.#views = new ViewHost(
-      createViewContext(this.#layout, this.#session, this.#preferences, {
-        isSpaceHeld: () => this.#space.isHeld,
-        toggle: (name) => this.#toggle(name),
+    this.views = new ViewHost(
+      game.renderers,
+      address.renderer,
+      createViewContext(this.layout, this.session, this.preferences, {
+        isSpaceHeld: () => this.space.isHeld,
+        toggle: (name) => this.toggle(name),
         showMessage: (sentence) => this.#banner.show(sentence, 'note'),
-        clip: this.#sharing,
+        clip: this.sharing,
       }),
       words().drawnLive(game.title),
       {
+        onSwitch: (dimensions) => this.#prepareWorld(dimensions),
         onError: (sentence) => {
-          this.#sharing.dropClip();
-          this.#banner.show(sentence, 'error', [words().tryAgain, () => this.#show(this.#wanted)]);
+          this.sharing.dropClip();
+          this.#banner.show(sentence, 'error', [words().tryAgain, () => this.views.show(this.views.wanted)]);
         },
         onRecovery: () => this.#banner.hide(),
       },
@@ -118,60 +140,81 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   async start(): Promise<void> {
-    this.#failures.listen();
-    listenToKeys(this.#commands.pressed, this.#commands.released);
-    if (this.#preferences.reducedMotion && !this.#address.manual) {
-      this.#session.paused = true;
+    const { signal } = this.#end;
+    // The errors of a page around the game are not the game's.
+    if (this.#place.parent === undefined) this.failures.listen(signal);
+    const stopKeys = listenToKeys(this.#commands.pressed, this.#commands.released, this.#keyTarget);
+    signal.addEventListener('abort', stopKeys);
+    if (this.preferences.reducedMotion && !this.address.manual) {
+      this.session.paused = true;
       this.#banner.show(words().motionPaused(resumeHint()), 'status');
     }
-    document.addEventListener('visibilitychange', () => document.hidden && this.#pauseHidden());
-    await this.#show(this.#renderer);
-    if (this.#session.started) globalThis.__game = this.#createHook();
-    startLoop(
+    const onReducedMotion = (wanted: boolean) => this.preferences.follow(wanted) && this.#showAppearance();
+    listenToPage({ onHidden: () => this.#pauseHidden(), onReducedMotion }, signal);
+    await this.views.show(this.views.renderer);
+    if (signal.aborted) return;
+    if (this.session.started) this.#offerHook();
+    const loop = startLoop(
       (seconds) => this.#frame(seconds),
       (error) => {
         this.#broken = true;
-        this.#failures.report(error);
+        this.failures.report(error);
       },
     );
+    signal.addEventListener('abort', loop.stop);
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    if (signal.aborted) return;
     if (!isPreview) await this.#openSidebar();
-    else if (this.#views.view !== undefined && !this.#session.paused)
-      startPreview(this.#game.controls, () => this.#session.sim, this.#actions.reset);
+    else if (this.views.view !== undefined && !this.session.paused)
+      startPreview(this.#game.controls, () => this.session.sim, this.#actions.reset);
+  }
+
+  /** Ends the game: its loop, its listeners, its elements, its view and its world. */
+  stop(): void {
+    if (this.#end.signal.aborted) return;
+    this.#end.abort();
+    this.#controls?.destroy();
+    this.sharing.destroy();
+    this.#banner.hide();
+    this.sidebar?.destroy();
+    // A view that is being opened still reads the world.
+    void this.views.destroy().finally(() => this.session.destroy());
   }
 
   async #openSidebar(): Promise<void> {
     const { createSidebar } = await import('./sidebar.ts');
-    this.#sidebar = await createSidebar(this.#layout.sidebar, {
+    const sidebar = await createSidebar(this.layout.sidebar, {
       settings: this.#game.settings,
-      values: this.#session.values,
+      values: this.session.values,
       actions: this.#actions,
-      clip: this.#sharing,
-      set: (name, value) => this.#failures.guard(() => this.#set(name, value)),
-      world: () => (this.#session.started ? this.#session.sim.world : undefined),
+      clip: this.sharing,
+      set: (name, value) => this.failures.guard(() => this.#set(name, value)),
+      world: () => (this.session.started ? this.session.sim.world : undefined),
       canReplay: this.#game.replay !== undefined,
       units: this.#game.units,
-      plot: this.#address.plot,
+      plot: this.address.plot,
       report: (sentence) => this.#banner.add(sentence),
       cards: this.#game.cards?.bind(this.#game),
     });
+    if (this.#end.signal.aborted) return sidebar.destroy();
+    this.sidebar = sidebar;
     this.#applyAppearance();
-    this.#refresh();
+    this.refresh();
   }
 
   #frame(seconds: number): void {
-    const session = this.#session;
+    const session = this.session;
     if (!session.started) return;
     this.#sinceReset += seconds;
     this.#sinceStats += seconds;
-    if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.#reset();
+    if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.reset();
     this.#controls?.poll();
-    if (this.#rewinding)
+    if (this.rewinding)
       this.#rewindBy(seconds * session.speed); // A closure here would allocate in every frame.
-    else if (!this.#broken && !this.#address.manual && !this.#views.isLost) session.advance(seconds);
+    else if (!this.#broken && !this.address.manual && !this.views.isLost) session.advance(seconds);
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
-    this.#sidebar?.record(session.sim, session.isPast);
+    this.sidebar?.record(session.sim, session.isPast);
     this.#draw(seconds);
     if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
     if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
@@ -180,220 +223,175 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #draw(seconds: number): void {
-    const { view } = this.#views;
+    const { view } = this.views;
     if (view === undefined || this.#broken) return;
     const start = performance.now();
-    view.draw(this.#session.alpha, seconds);
+    view.draw(this.session.alpha, seconds);
     this.#timing.add(DRAW, performance.now() - start);
-    this.#sharing.captureFrame(view.canvas);
+    this.sharing.captureFrame(view.canvas);
   }
 
-  #rewindBy = (seconds: number) => this.#restorePast(() => this.#session.rewind(seconds));
+  #rewindBy = (seconds: number) => this.restorePast(() => this.session.rewind(seconds));
 
   /** A restored snapshot lies before the error. */
-  #restorePast(move: () => boolean): void {
+  restorePast(move: () => boolean): void {
     if (!move()) return;
     this.#broken = false;
     this.#sinceStats = STATS_INTERVAL;
-    this.#sidebar?.panel.refresh();
-    this.#views.view?.refresh('setting');
+    this.sidebar?.panel.refresh();
+    this.views.view?.refresh('setting');
   }
 
   /** Goes to a recorded moment and stays there. The state of an error is no moment to come back to. */
   #seek(moment: number): void {
-    this.#pause(true);
-    this.#failures.guard(() => this.#restorePast(() => this.#session.seekMoment(moment, !this.#broken)));
+    this.pause(true);
+    this.failures.guard(() => this.restorePast(() => this.session.seekMoment(moment, !this.#broken)));
   }
 
   #showStats(): void {
     this.#sinceStats = 0;
     this.#timeline?.show();
-    const { sim } = this.#session;
-    this.#sidebar?.show(sim, countInto(this.#timing.copyTo(this.#stats), this.#game, sim));
+    const { sim } = this.session;
+    this.sidebar?.show(sim, countInto(this.#timing.copyTo(this.#stats), this.#game, sim));
   }
 
-  /** Opens a renderer's view, with a new world of the same settings. If its code cannot be loaded, the one before stays. */
-  async #show(name: string): Promise<void> {
-    const renderer = this.#game.renderers[name];
-    if (renderer === undefined) throw new Error(`There is no renderer “${name}”.`);
-    const before = this.#views.view === undefined ? undefined : this.#renderer;
-    this.#wanted = name;
-    this.#renderer = name;
-    this.#sharing.dropClip(words().clipDropped);
-    this.#views.close();
-    this.#session.dimensions = renderer.dimensions;
-    this.#refresh();
-    this.#failures.guard(() => this.#reset());
-    const isLoaded = !this.#session.started || (await this.#views.open(renderer));
-    if (!isLoaded && before !== undefined && before !== name && this.#renderer === name) {
-      await this.#show(before);
-      this.#wanted = name;
-    }
+  /** Makes a world for the view of another renderer. @returns whether there is one */
+  #prepareWorld(dimensions: 2 | 3): boolean {
+    this.sharing.dropClip(words().clipDropped);
+    this.session.dimensions = dimensions;
+    this.refresh();
+    this.failures.guard(() => this.reset());
+    return this.session.started;
   }
 
-  #reset(seed?: number): void {
-    this.#replaceWorld(() => this.#session.reset(seed));
+  reset(seed?: number): void {
+    this.replaceWorld(() => this.session.reset(seed));
   }
 
   /** Replaces the world and shows the new one. */
-  #replaceWorld(make: () => void): void {
+  replaceWorld(make: () => void): void {
     this.#resetWanted = false;
     this.#sinceReset = 0;
     make();
     this.#outcome?.show(undefined);
     this.#broken = false;
-    this.#sidebar?.plot.clear();
-    this.#views.view?.refresh('world');
+    this.sidebar?.plot.clear();
+    this.views.view?.refresh('world');
   }
 
   #set(name: string, value: unknown): void {
-    if (this.#session.set(name, value)) this.#resetWanted = true;
-    else this.#views.view?.refresh('setting');
+    if (this.session.set(name, value)) this.#resetWanted = true;
+    else this.views.view?.refresh('setting');
   }
 
-  #toggle(name: string): void {
-    this.#failures.guard(() => this.#set(name, !this.#session.values[name]));
-    this.#sidebar?.panel.refresh();
+  toggle(name: string): void {
+    this.failures.guard(() => this.#set(name, !this.session.values[name]));
+    this.sidebar?.panel.refresh();
   }
 
-  #pause(paused = !this.#session.paused): void {
-    this.#session.paused = paused;
+  pause(paused = !this.session.paused): void {
+    this.session.paused = paused;
     if (!paused && this.#banner.kind === 'status') this.#banner.hide();
-    this.#refresh();
+    this.refresh();
   }
 
   /** Nobody plays a page that nobody sees; the player decides when the game goes on. */
   #pauseHidden(): void {
-    if (this.#session.paused || !this.#session.started) return;
-    this.#pause(true);
+    if (this.session.paused || !this.session.started) return;
+    this.pause(true);
     this.#controls?.releaseAll();
     if (this.#banner.text === '') this.#banner.show(words().hidden(resumeHint()), 'status');
   }
 
-  #refresh(): void {
-    const { paused, speed } = this.#session;
-    const { reducedMotion, safeColors } = this.#preferences;
-    this.#toolbar.show({ paused, slow: speed !== 1, rewinding: this.#rewinding, renderer: this.#renderer });
-    this.#sidebar?.tools.show({ recording: this.#sharing.isRecording, reducedMotion, safeColors });
-    this.#sidebar?.panel.refresh();
+  refresh(): void {
+    const { paused, speed } = this.session;
+    const { reducedMotion, safeColors } = this.preferences;
+    this.#toolbar.show({ paused, slow: speed !== 1, rewinding: this.rewinding, renderer: this.views.renderer });
+    this.sidebar?.tools.show({ recording: this.sharing.isRecording, reducedMotion, safeColors });
+    this.sidebar?.panel.refresh();
   }
 
-  #change(changes: Partial<AppearanceOptions>): void {
-    this.#preferences.set(changes);
+  change(changes: Partial<AppearanceOptions>): void {
+    this.preferences.set(changes);
+    this.session.safeColors = this.preferences.safeColors;
+    if (changes.safeColors !== undefined && this.session.started) this.session.applyColors();
+    this.#showAppearance();
+  }
+
+  #showAppearance(): void {
     this.#applyAppearance();
-    if (changes.safeColors !== undefined && this.#session.started) this.#session.applyColors();
-    this.#views.view?.refresh('world');
-    this.#refresh();
+    this.views.view?.refresh('world');
+    this.refresh();
   }
 
   #applyAppearance(): void {
-    const { reducedMotion, safeColors } = this.#preferences;
-    this.#layout.root.toggleAttribute('data-reduced-motion', reducedMotion);
-    this.#layout.root.toggleAttribute('data-safe-colors', safeColors);
-    this.#session.safeColors = safeColors;
-    if (this.#sidebar !== undefined) this.#sidebar.plot.safeColors = safeColors;
+    const { reducedMotion, safeColors } = this.preferences;
+    this.layout.root.toggleAttribute('data-reduced-motion', reducedMotion);
+    this.layout.root.toggleAttribute('data-safe-colors', safeColors);
+    this.session.safeColors = safeColors;
+    if (this.sidebar !== undefined) this.sidebar.plot.safeColors = safeColors;
   }
 
   /** Starts another game after the end of one, with the next seed so that it differs. */
   #playAgain(): void {
-    const { sim, seed } = this.#session;
+    const { sim, seed } = this.session;
     const next = this.#game.outcome?.(sim)?.nextSeed ?? (seed + 1) % 2 ** 32;
-    this.#failures.guard(() => this.#reset(next));
-    this.#views.view?.canvas.focus();
+    this.failures.guard(() => this.reset(next));
+    this.views.view?.canvas.focus();
   }
 
   #makeSharing(): Sharing {
     return new Sharing({
       title: this.#game.title,
-      root: this.#layout.root,
+      root: this.layout.root,
       banner: this.#banner,
-      failures: this.#failures,
+      failures: this.failures,
       picture: () => {
-        const { view } = this.#views;
+        const { view } = this.views;
         if (view === undefined) return undefined;
         this.#draw(0);
-        return { canvas: view.canvas, time: this.#session.sim.world.time };
+        return { canvas: view.canvas, time: this.session.sim.world.time };
       },
       link: () => {
-        const { values, seed } = this.#session;
-        const shown = { values, seed, renderer: this.#renderer, plot: this.#sidebar?.plot.choice };
-        return this.#game.link?.() ?? writeAddress(location.href, this.#game.settings, shown);
+        const { values, seed } = this.session;
+        const shown = { values, seed, renderer: this.views.renderer, plot: this.sidebar?.plot.choice };
+        return this.#place.link?.() ?? writeAddress(location.href, this.#game.settings, shown);
       },
-      onChange: () => this.#refresh(),
-      onClip: () => this.#session.paused && !this.#address.manual && this.#pause(false),
+      onChange: () => this.refresh(),
+      onClip: () => this.session.paused && !this.address.manual && this.pause(false),
     });
   }
 
-  #makeActions(): Actions {
-    const session = this.#session;
-    return {
-      pause: () => this.#pause(),
-      step: () => {
-        this.#pause(true);
-        this.#failures.guard(() => session.step());
-      },
-      spaceBar: (down) => this.#space.set(down),
-      reset: () => {
-        this.#failures.guard(() => this.#reset());
-        this.#views.view?.fit();
-      },
-      replay: () => {
-        this.#failures.guard(() => this.#replaceWorld(() => session.replay()));
-        if (!this.#address.manual) this.#pause(false);
-        this.#views.view?.canvas.focus();
-      },
-      slow: () => {
-        session.speed = session.speed === 1 ? SLOW_MOTION : 1;
-        this.#refresh();
-      },
-      rewind: (on) => {
-        this.#rewinding = on;
-        this.#refresh();
-      },
-      stepBack: () => {
-        this.#pause(true);
-        this.#failures.guard(() => this.#restorePast(() => session.stepBack()));
-      },
-      fit: () => this.#views.view?.fit(),
-      zoom: (factor) => this.#views.view?.zoom(factor),
-      help: () => this.#help.toggle(),
-      sidebar: () => this.#layout.toggleSidebar(),
-      plot: () => this.#sidebar?.plot.next(),
-      profile: () => this.#sidebar?.profile.toggle(),
-      copyLink: () => void this.#sharing.share(),
-      screenshot: () => this.#sharing.saveScreenshot(),
-      recordVideo: () => this.#sharing.toggleVideo(),
-      shareClip: () => this.#sharing.toggle(),
-      fullScreen: () => this.#failures.attempt(() => toggleFullScreen(this.#layout.root)),
-      reducedMotion: () => this.#change({ reducedMotion: !this.#preferences.reducedMotion }),
-      safeColors: () => this.#change({ safeColors: !this.#preferences.safeColors }),
-      renderer: (name) => void this.#show(name),
-      toggle: (name) => this.#toggle(name),
-    };
+  #offerHook(): void {
+    const hook = this.#createHook();
+    globalThis.__game = hook;
+    this.#end.signal.addEventListener('abort', () => {
+      if (globalThis.__game === hook) Reflect.deleteProperty(globalThis, '__game');
+    });
   }
 
   #createHook(): GameHook {
     const page = () => ({
-      view: this.#views.view,
-      ready: this.#views.view !== undefined && this.#sidebar !== undefined,
-      renderer: this.#renderer,
-      reducedMotion: this.#preferences.reducedMotion,
-      recording: this.#sharing.isRecording,
-      plot: this.#sidebar?.plot.choice,
+      view: this.views.view,
+      ready: this.views.view !== undefined && this.sidebar !== undefined,
+      renderer: this.views.renderer,
+      reducedMotion: this.preferences.reducedMotion,
+      recording: this.sharing.isRecording,
+      plot: this.sidebar?.plot.choice,
       banner: this.#banner.text,
       timing: this.#timing.copyTo({ frame: 0, step: 0, draw: 0 }),
     });
-    const record = () => this.#sidebar?.record(this.#session.sim, false);
-    return createHook(this.#session, page, (move) => this.#restorePast(move), record, {
-      reset: (seed) => this.#reset(seed),
+    const record = () => this.sidebar?.record(this.session.sim, false);
+    return createHook(this.session, page, (move) => this.restorePast(move), record, {
+      reset: (seed) => this.reset(seed),
       set: (name, value) => {
         this.#set(name, value);
-        if (this.#resetWanted) this.#reset();
-        this.#sidebar?.panel.refresh();
+        if (this.#resetWanted) this.reset();
+        this.sidebar?.panel.refresh();
       },
-      pause: () => this.#pause(true),
-      resume: () => this.#pause(false),
-      show: (renderer) => this.#show(renderer),
+      pause: () => this.pause(true),
+      resume: () => this.pause(false),
+      show: (renderer) => this.views.show(renderer),
     });
   }
 }

@@ -31,7 +31,7 @@ export interface Insets {
 
 /** The services that the shell offers to a view. */
 export interface ViewContext<S extends Settings, Sim extends Simulation> {
-  /** The view appends its canvas to this element, which fills the window. */
+  /** The view appends its canvas to this element, which fills the window or the element of the game. */
   readonly element: HTMLElement;
   readonly insets: () => Insets;
   /** The world on display; replaced by every reset. */
@@ -93,6 +93,8 @@ export interface GameCard<Sim extends Simulation> {
   record?(sim: Sim, isPast: boolean): void;
   /** Brings the card up to date; called five times a second. */
   show(sim: Sim): void;
+  /** Ends what outlives the card's elements, such as timers, when the game is stopped. */
+  destroy?(): void;
 }
 
 /**

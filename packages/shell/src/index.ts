@@ -48,7 +48,7 @@ export {
   type ValuesOf,
 } from './settings.ts';
 export { connectToSpeakers } from './sound-outputs.ts';
-export { startGame } from './start-game.ts';
+export { type RunningGame, type StartOptions, startGame } from './start-game.ts';
 export { listenToSteering, type Steering, type SteeringOptions } from './steering.ts';
 export { type SoundShape, Synth } from './synth.ts';
 export { listenToTaps } from './taps.ts';

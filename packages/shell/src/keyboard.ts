@@ -1,11 +1,16 @@
+/** The page, or an element of it. */
+export type KeyTarget = Pick<HTMLElement, 'addEventListener' | 'removeEventListener'>;
+
 /** Actions by key: the value of `KeyboardEvent.key` in lower case. */
 export type Keys = Readonly<Record<string, () => void>>;
 
 /**
  * Listens to keys on the whole page, except in input fields and on focused buttons that use the same key. A held key
  * acts once if its release has an action too. Returns a function that stops listening.
+ *
+ * @param within hears the keys, while it or an element in it has the focus; default the whole page
  */
-export function listenToKeys(pressed: Keys, released: Keys = {}): () => void {
+export function listenToKeys(pressed: Keys, released: Keys = {}, within: KeyTarget = document): () => void {
   const held = new Set<string>();
   const press = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
@@ -29,11 +34,11 @@ export function listenToKeys(pressed: Keys, released: Keys = {}): () => void {
   const releaseAll = () => {
     for (const key of [...held]) releaseKey(key);
   };
-  document.addEventListener('keydown', press);
+  within.addEventListener('keydown', press);
   document.addEventListener('keyup', release);
   globalThis.addEventListener('blur', releaseAll);
   return () => {
-    document.removeEventListener('keydown', press);
+    within.removeEventListener('keydown', press);
     document.removeEventListener('keyup', release);
     globalThis.removeEventListener('blur', releaseAll);
     releaseAll();

@@ -1,7 +1,7 @@
 import { element } from './element.ts';
 import type { Insets } from './game.ts';
 import { isPreview } from './preview.ts';
-import { addStyles, NARROW } from './styles.ts';
+import { addStyles, isNarrow } from './styles.ts';
 import { words } from './words.ts';
 
 /** The elements of a game's page, from back to front. */
@@ -18,31 +18,48 @@ export interface Layout {
   toggleSidebar(shown?: boolean): void;
 }
 
-/**
- * Builds the page of a game.
- * @param isSheet on phones the sidebar is a sheet below or beside the picture, and open at the start
- */
-export function createLayout(title: string, onSidebar: () => void, isSheet = false): Layout {
+export interface LayoutOptions {
+  readonly title: string;
+  /** Element that the game fills; undefined for the whole window. */
+  readonly parent: HTMLElement | undefined;
+  /** On phones the sidebar is a sheet below or beside the picture, and open at the start; default false. */
+  readonly isSheet?: boolean | undefined;
+  /** Called when the sidebar was shown or hidden. */
+  readonly onSidebar: () => void;
+  /** Ends the layout: it removes its elements. */
+  readonly signal: AbortSignal;
+}
+
+/** Builds the elements of a game. */
+export function createLayout({ title, parent, isSheet = false, onSidebar, signal }: LayoutOptions): Layout {
   addStyles();
   const stage = element('div', 'game-stage');
   const bar = element('header', 'game-bar', {}, element('h1', 'game-title', {}, title));
   const sidebar = element('aside', 'game-side', { 'aria-label': words().measurements });
   const root = element('div', isSheet ? 'game game-sheet' : 'game', {}, stage, bar, sidebar);
   root.toggleAttribute('data-preview', isPreview);
-  document.body.append(root);
+  root.classList.toggle('game-inside', parent !== undefined);
+  (parent ?? document.body).append(root);
   /** Reused because games ask in every frame. */
   const covered = { top: 0, right: 0, bottom: 0, left: 0 };
-  const narrow = matchMedia(NARROW);
-  let shown = !isPreview && (isSheet || !narrow.matches);
+  let narrow = isNarrow(root);
+  let shown = !isPreview && (isSheet || !narrow);
   sidebar.hidden = !shown;
   const toggleSidebar = (wanted = !shown) => {
     shown = wanted;
     sidebar.hidden = !shown;
     onSidebar();
   };
-  // A window that becomes narrow shows the game, which the sidebar would cover.
-  narrow.addEventListener('change', ({ matches }) => {
-    if (matches && shown && !isSheet) toggleSidebar(false);
+  const watch = new ResizeObserver(() => {
+    const before = narrow;
+    narrow = isNarrow(root);
+    // A window that becomes narrow shows the game, which the sidebar would cover.
+    if (narrow && !before && shown && !isSheet) toggleSidebar(false);
+  });
+  watch.observe(root);
+  signal.addEventListener('abort', () => {
+    watch.disconnect();
+    root.remove();
   });
   return {
     root,
@@ -51,7 +68,7 @@ export function createLayout(title: string, onSidebar: () => void, isSheet = fal
     sidebar,
     insets() {
       const isBelow = isSheet && sidebar.offsetTop > root.offsetHeight / 3;
-      const isBeside = shown && !isBelow && (isSheet || !narrow.matches);
+      const isBeside = shown && !isBelow && (isSheet || !narrow);
       covered.top = bar.offsetHeight;
       covered.right = isBeside ? sidebar.offsetWidth + 16 : 0;
       covered.bottom = Math.max(shown && isBelow ? sidebar.offsetHeight : 0, coveredBottom(root));

@@ -72,7 +72,9 @@ export function createOutcomeCard(
     list.replaceChildren(...rows);
     text = outcome.share ?? '';
     send.hidden = text === '';
-    button.focus({ preventScroll: true });
+    // Who types elsewhere on the page goes on typing.
+    const { activeElement } = document;
+    if (activeElement === document.body || parent.contains(activeElement)) button.focus({ preventScroll: true });
   };
   return {
     // Called in every frame: a function that contains closures would allocate in each call, so this one has none.

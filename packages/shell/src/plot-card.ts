@@ -98,6 +98,10 @@ export class PlotCard {
     this.#plot?.setData(plotData(this.#history, this.#against !== undefined));
   }
 
+  destroy(): void {
+    this.#plot?.destroy();
+  }
+
   /** Discards the samples because the world was replaced. */
   clear(): void {
     this.#show();

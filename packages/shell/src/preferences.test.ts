@@ -23,6 +23,17 @@ it('is what the system asks for until somebody chooses, and remembers the choice
   expect([later.reducedMotion, later.safeColors]).toEqual([false, true]);
 });
 
+it('follows the system while nobody has chosen, another choice notwithstanding', () => {
+  const kept = store();
+  const preferences = new Preferences(false, kept);
+  expect([preferences.follow(true), preferences.follow(true), preferences.reducedMotion]).toEqual([true, false, true]);
+  preferences.set({ safeColors: true });
+  expect([preferences.follow(false), preferences.reducedMotion]).toEqual([true, false]);
+  expect(new Preferences(true, kept).reducedMotion).toBe(true);
+  preferences.set({ reducedMotion: true });
+  expect([preferences.follow(false), preferences.reducedMotion]).toEqual([false, true]);
+});
+
 it('survives whatever is in the store, and a store that refuses', () => {
   for (const text of ['', '{', 'null', '[1]', '{"reducedMotion":"yes"}']) {
     expect(new Preferences(false, store(text)).reducedMotion).toBe(false);

@@ -14,6 +14,8 @@ const STORE_KEY = 'principia appearance';
 export class Preferences implements AppearanceOptions {
   readonly #store: LocalStore | undefined;
   #options: AppearanceOptions;
+  /** The player has not chosen: the system decides. */
+  #followsMotion: boolean;
 
   constructor(systemReducesMotion: boolean, store: LocalStore | undefined = browserStore()) {
     this.#store = store;
@@ -22,6 +24,7 @@ export class Preferences implements AppearanceOptions {
       const value = found?.[name];
       return typeof value === 'boolean' ? value : otherwise;
     };
+    this.#followsMotion = typeof found?.reducedMotion !== 'boolean';
     this.#options = {
       reducedMotion: chosen('reducedMotion', systemReducesMotion),
       safeColors: chosen('safeColors', false),
@@ -36,9 +39,18 @@ export class Preferences implements AppearanceOptions {
     return this.#options.safeColors;
   }
 
+  /** Follows the system, which has changed, if the player has not chosen. @returns whether this changes anything */
+  follow(systemReducesMotion: boolean): boolean {
+    if (!this.#followsMotion || systemReducesMotion === this.reducedMotion) return false;
+    this.#options = { ...this.#options, reducedMotion: systemReducesMotion };
+    return true;
+  }
+
   set(changes: Partial<AppearanceOptions>): void {
+    this.#followsMotion &&= changes.reducedMotion === undefined;
     this.#options = { ...this.#options, ...changes };
-    writeLocal(this.#store, STORE_KEY, this.#options);
+    const { safeColors } = this.#options;
+    writeLocal(this.#store, STORE_KEY, this.#followsMotion ? { safeColors } : this.#options);
   }
 }
 

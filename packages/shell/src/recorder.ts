@@ -45,6 +45,11 @@ export class Recorder {
     this.#onChange();
   }
 
+  /** Ends a recording in progress, and saves it. */
+  stop(): void {
+    this.#recording?.stop();
+  }
+
   /** Adds a drawn frame to the recording in progress. */
   captureFrame(canvas: HTMLCanvasElement): void {
     this.#recording?.captureFrame(canvas);

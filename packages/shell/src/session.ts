@@ -98,6 +98,15 @@ export class Session<S extends Settings, Sim extends Simulation> {
     this.#history = new History(sim, this.#clock, this.game.rewindSeconds?.(sim));
   }
 
+  /** Gives the world back. */
+  destroy(): void {
+    if (this.#sim !== undefined) destroyWorld(this.#sim.world);
+    this.#sim = undefined;
+    this.#runner = undefined;
+    this.#history = undefined;
+    this.#dragging = undefined;
+  }
+
   /** Assigns colours to the bodies. */
   applyColors(): void {
     this.#appliedColors.safe = this.safeColors;

@@ -98,6 +98,12 @@ export class Sharing implements ClipControl {
     if (this.#clip.cancel() && sentence !== '') this.#options.banner.show(sentence, 'note');
   }
 
+  /** Gives a clip up and saves a video: nothing is drawn any more. */
+  destroy(): void {
+    this.#clip.cancel();
+    this.#recorder.stop();
+  }
+
   /** Shares a result, or without one copies the link to this game. */
   async share(result?: string): Promise<void> {
     const link = this.#options.link();

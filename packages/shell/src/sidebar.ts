@@ -22,6 +22,7 @@ export interface Sidebar<Sim extends Simulation> {
   record(sim: Sim, isPast: boolean): void;
   /** Shows the values; call it a few times a second. */
   show(sim: Sim, statistics: Statistics): void;
+  destroy(): void;
 }
 
 export interface SidebarOptions<Sim extends Simulation> {
@@ -73,6 +74,11 @@ export async function createSidebar<Sim extends Simulation>(
       for (const card of cards) card.show(sim);
       profile.show(sim.world);
       stats.show(statistics);
+    },
+    destroy() {
+      panel.destroy();
+      plot.destroy();
+      for (const card of cards) card.destroy?.();
     },
   };
 }

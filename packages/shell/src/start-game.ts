@@ -3,19 +3,56 @@ import type { GameDefinition, Simulation } from './game.ts';
 import { GameApp } from './game-app.ts';
 import type { Settings } from './settings.ts';
 
+/** Where and with what a game starts. */
+export interface StartOptions {
+  /**
+   * Element that the game fills; it needs a width and a height. The game then hears keys only while it has the focus, and
+   * leaves the address and the errors of the page to the page. Default the whole page.
+   */
+  readonly parent?: HTMLElement;
+  /**
+   * The part of an address with settings and seed; a page that reads names of its own leaves them out. Default
+   * `location.search`, and nothing for a game in an element.
+   */
+  readonly query?: string;
+  /** Sentences about the address, for a page that reads names of its own. Default none. */
+  readonly problems?: readonly string[];
+}
+
+/** A game that runs on this page. */
+export interface RunningGame {
+  /** Settles when the picture and the panel are there, or the game was stopped. */
+  readonly ready: Promise<void>;
+  /**
+   * Ends the game: its loop, its listeners, its elements, its view and its world. A video that is being recorded is saved.
+   * Further calls do nothing.
+   */
+  stop(): void;
+}
+
 /**
- * Runs a game on this page: builds the toolbar, the panel, the plot and the help around its picture, and sets
- * `globalThis.__game` for tests. Errors appear as sentences on the page.
- * @param query the part of the address with settings and seed; a page that reads names of its own leaves them out
- * @param problems sentences about the address, for a page that reads names of its own
+ * Runs a game on this page, or in an element of it: builds the toolbar, the panel, the plot and the help around its picture,
+ * and sets `globalThis.__game` for tests. Errors appear as sentences on the page.
+ *
+ * @throws Error when `parent` is no element
  */
-export async function startGame<S extends Settings, Sim extends Simulation>(
+export function startGame<S extends Settings, Sim extends Simulation>(
   game: GameDefinition<S, Sim>,
-  query: string = location.search,
-  problems: readonly string[] = [],
-): Promise<void> {
-  const address = readAddress(query, game.settings, Object.keys(game.renderers));
-  const varies = game.variesSeed === true && !address.manual && !new URLSearchParams(query).has('seed');
+  { parent, query, problems = [] }: StartOptions = {},
+): RunningGame {
+  if (parent !== undefined && !(parent instanceof Element)) {
+    throw new Error(`startGame needs an element as parent, or none for the whole page, got ${String(parent)}`);
+  }
+  const read = query ?? (parent === undefined ? location.search : '');
+  const address = readAddress(read, game.settings, Object.keys(game.renderers));
+  const varies = game.variesSeed === true && !address.manual && !new URLSearchParams(read).has('seed');
   const seed = varies ? 1 + (Date.now() % 999_983) : address.seed;
-  await new GameApp(game, { ...address, seed, problems: [...problems, ...address.problems] }).start();
+  // An address that the game does not read cannot name what it shows.
+  const pageLink = parent !== undefined && query === undefined ? () => location.href : undefined;
+  const app = new GameApp(
+    game,
+    { ...address, seed, problems: [...problems, ...address.problems] },
+    { parent, link: game.link?.bind(game) ?? pageLink },
+  );
+  return { ready: app.start(), stop: () => app.stop() };
 }

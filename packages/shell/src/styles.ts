@@ -1,13 +1,18 @@
-/** Windows of phones in portrait or landscape: the sidebar covers the stage and starts hidden. */
-export const NARROW = '(max-width: 759px), (max-height: 479px)';
+/** Phones in portrait or landscape, and elements as small: the sidebar covers the stage and starts hidden. */
+const NARROW = '(max-width: 759px) or (max-height: 479px)';
+
+export const isNarrow = ({ clientWidth, clientHeight }: HTMLElement): boolean =>
+  clientWidth < 760 || clientHeight < 480;
 
 /** The styles of every game; a game changes colours by overriding the variables of `.game`. */
 const styles = `
-html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
+html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game { --ink: #eef1fb; --dim: #97a3c7; --accent: #ffc15e; --card: #141b36d9; --line: #ffffff1c;
-  position: fixed; inset: 0; color: var(--ink); font: 14px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
+  position: fixed; inset: 0; container-type: size; color: var(--ink); font: 14px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, sans-serif;
   background: radial-gradient(110% 95% at 42% 12%, #2c3a72 0%, #1a2349 45%, #0d1226 100%); user-select: none; direction: ltr;
   -webkit-text-size-adjust: 100%; text-size-adjust: 100%; -webkit-user-select: none; -webkit-tap-highlight-color: transparent }
+/* A part of a page: what is fixed stays in it. */
+.game.game-inside { position: relative; inset: auto; width: 100%; height: 100%; contain: layout paint; outline: none }
 .game[data-preview] > :not(.game-stage), .game[data-preview] > .game-stage > :not(canvas) { display: none !important }
 .game [hidden] { display: none !important }
 .game-stage { position: absolute; inset: 0; overflow: hidden }
@@ -61,7 +66,7 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
   background: linear-gradient(#ffffff70, #ffffff70) 0 0 / calc(100% * var(--done, 0)) 100% no-repeat var(--accent) }
 .game-clip { position: absolute; left: 50%; top: 50%; translate: -50% -50%; box-sizing: border-box; max-width: calc(100% - 24px);
   padding: 12px; border: 1px solid var(--line); border-radius: 18px; background: #141b36f7; box-shadow: 0 24px 80px #000c; z-index: 4 }
-.game-clip video { display: block; max-width: min(520px, 100%); max-height: 50vh; margin: 0 auto; border-radius: 10px; background: #000 }
+.game-clip video { display: block; max-width: min(520px, 100%); max-height: 50cqh; margin: 0 auto; border-radius: 10px; background: #000 }
 .game-clip div { display: flex; gap: 8px; justify-content: center; margin-top: 12px }
 .game-clip button { border: 1px solid var(--line); border-radius: 11px; padding: 9px 18px; background: #ffffff1c; color: var(--ink);
   font: 650 15px/1.2 inherit; font-family: inherit; cursor: pointer }
@@ -125,14 +130,14 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game-outcome button.second { background: #ffffff1c; color: var(--ink) }
 .game-outcome button:focus-visible { outline: 2px solid #fff; outline-offset: 2px }
 /* On a window on its side the scores stand beside what was reached. */
-@media (max-height: 479px) { .game-outcome { display: grid; grid-template-columns: auto auto auto auto; align-items: center; justify-content: center; padding: 14px 22px; max-width: calc(100% - 24px) }
+@container (max-height: 479px) { .game-outcome { display: grid; grid-template-columns: auto auto auto auto; align-items: center; justify-content: center; padding: 14px 22px; max-width: calc(100% - 24px) }
   .game-outcome > :is(h2, div) { grid-column: 1 / 4; max-width: 420px; justify-self: center } .game-outcome > ol { grid-area: 1 / 4 / 3; margin: 0 0 0 24px }
   .game-outcome > button { margin: 12px 4px 0 } .game-outcome:has(> ol:empty) { display: block } .game-outcome > ol:empty { display: none } }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: calc(max(14px, env(safe-area-inset-bottom)) + var(--foot, 0px)); margin: 0; pointer-events: none;
   text-align: center; text-wrap: balance; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
 @media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
 /* A window on its side has no room above the picture, but some between the buttons at the corners. */
-@media (pointer: coarse) and (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } }
+@media (pointer: coarse) { @container (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } } }
 /* The bar of the recorded time lies below the picture; what stands at the bottom moves up by its height. */
 .game:has(> .game-timeline) { --foot: 48px }
 .game-timeline { position: absolute; left: 0; right: 0; bottom: 0; height: calc(44px + env(safe-area-inset-bottom)); display: flex; align-items: center; gap: 10px;
@@ -153,31 +158,33 @@ html, body { margin: 0; height: 100%; overflow: hidden; background: #0d1226 }
 .game:has(.game-side:not([hidden])) .game-bar { right: 288px }
 .game:has(.game-side:not([hidden])) .game-pad { right: 300px }
 .game:has(.game-side:not([hidden])) .game-hint { right: 304px }
-@media (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
+@container (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
 /* Texts of the game below it would show through. */
-@media ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px); background: #111834f7 }
+@container ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px); background: #111834f7 }
   .game:has(.game-side:not([hidden])) .game-bar { right: 0 }
   .game:has(.game-side:not([hidden])) :is(.game-pad, .game-hint) { display: none }
   .game:has(.game-side:not([hidden])) .game-banner { left: 50%; max-width: calc(100% - 32px) }
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
-@media ${NARROW} { .game:has(.game-side:not([hidden])) > .game-timeline { right: 0 } }
+@container ${NARROW} { .game:has(.game-side:not([hidden])) > .game-timeline { right: 0 } }
 .game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 100% }
-@media (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 344px } }
-@media (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
+@container (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 344px } }
+@container (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
   .game-sheet .game-pad { bottom: calc(46% + 12px + var(--foot, 0px)) }
   .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
-@media (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
+@container (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
 /* A page that is enlarged: beside the picture, which a sheet below would leave no height. */
-@media (pointer: fine) and (min-width: 560px) and (max-width: 759px) and (max-height: 420px) {
+@media (pointer: fine) { @container (min-width: 560px) and (max-width: 759px) and (max-height: 420px) {
   .game-sheet .game-side { top: 8px; right: 8px; bottom: auto; left: auto; width: 264px; max-height: calc(100% - 16px); border-radius: 14px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 272px } .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 0; left: 0 }
-  .game-sheet .game-pad { right: 284px; bottom: calc(12px + var(--foot, 0px)) } }
+  .game-sheet .game-pad { right: 284px; bottom: calc(12px + var(--foot, 0px)) } } }
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: fit-content(150px) 1fr fit-content(150px) 1fr } }
 @media (max-height: 479px) { .game-help { max-height: calc(100dvh - 16px); padding: 12px 26px; line-height: 1.4 } .game-help h2 { margin-bottom: 6px } .game-help footer { bottom: -12px; margin-bottom: -12px; padding-block: 6px 8px } }
-@media (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
-  .game-banner[data-kind=error] { flex-wrap: wrap; justify-content: end } .game-banner[data-kind=error] p { flex-basis: 100% }
+@container (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
+  .game-banner[data-kind=error] { flex-wrap: wrap; justify-content: end } .game-banner[data-kind=error] p { flex-basis: 100% } }
+/* The help is a dialog over the whole page. */
+@media (max-width: 520px) {
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(min-content, 27%) 1fr }
   .game-help footer { bottom: -18px; margin: 0 -18px -18px; padding: 10px 18px 14px } }
 .game[data-reduced-motion] * { transition: none !important; animation: none !important }

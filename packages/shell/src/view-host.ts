@@ -4,6 +4,11 @@ import { words } from './words.ts';
 
 /** Events of a view, with messages for the player. */
 export interface ViewHostEvents {
+  /**
+   * The view was closed, and one of another renderer is to be opened: makes a world for it.
+   * @returns whether there is one
+   */
+  onSwitch(dimensions: 2 | 3): boolean;
   /** Drawing failed; `sentence` says why. */
   onError(sentence: string): void;
   /** The graphics context was restored. */
@@ -15,38 +20,76 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
   view: View | undefined;
   /** The graphics context of the view is lost. */
   isLost = false;
+  /** The renderer of the view. */
+  renderer: string;
+  /** The renderer that the player chose last; its code may not have been loaded. */
+  wanted: string;
+  readonly #renderers: Readonly<Record<string, Renderer<S, Sim>>>;
   readonly #context: ViewContext<S, Sim>;
   readonly #events: ViewHostEvents;
   readonly #label: string;
-  #wanted = 0;
+  #ticket = 0;
+  /** Settles when the view that was asked for last is open or has failed. */
+  #opening: Promise<unknown> = Promise.resolve();
 
-  /** @param label accessible name of the canvas */
-  constructor(context: ViewContext<S, Sim>, label: string, events: ViewHostEvents) {
+  /** @param first the renderer to begin with @param label accessible name of the canvas */
+  constructor(
+    renderers: Readonly<Record<string, Renderer<S, Sim>>>,
+    first: string,
+    context: ViewContext<S, Sim>,
+    label: string,
+    events: ViewHostEvents,
+  ) {
+    this.#renderers = renderers;
+    this.renderer = first;
+    this.wanted = first;
     this.#context = context;
     this.#label = label;
     this.#events = events;
   }
 
   /**
-   * Closes the present view and opens one of `renderer`. Resolves when the view is open or has failed.
-   * @returns false where its code could not be loaded
+   * Opens a view of a renderer, with a new world of the same settings. If its code cannot be loaded, the one before stays.
+   * Resolves when a view is open or has failed.
    */
-  async open(renderer: Renderer<S, Sim>): Promise<boolean> {
-    const ticket = ++this.#wanted;
-    this.close();
+  async show(name: string): Promise<void> {
+    const renderer = this.#renderers[name];
+    if (renderer === undefined) throw new Error(`There is no renderer “${name}”.`);
+    const before = this.view === undefined ? undefined : this.renderer;
+    this.wanted = name;
+    this.renderer = name;
+    this.#close();
+    const opening = this.#events.onSwitch(renderer.dimensions) ? this.#open(renderer) : Promise.resolve(true);
+    this.#opening = opening;
+    const isLoaded = await opening;
+    if (isLoaded || before === undefined || before === name || this.renderer !== name) return;
+    await this.show(before);
+    this.wanted = name;
+  }
+
+  /** Closes the view for good. Resolves when one that was being opened has been destroyed. */
+  async destroy(): Promise<void> {
+    this.#ticket++;
+    this.#close();
+    await this.#opening;
+  }
+
+  /** @returns false where its code could not be loaded */
+  async #open(renderer: Renderer<S, Sim>): Promise<boolean> {
+    const ticket = ++this.#ticket;
     try {
       const view = await renderer.open(this.#context);
       // Another view was requested meanwhile.
-      if (ticket !== this.#wanted) view.destroy();
+      if (ticket !== this.#ticket) view.destroy();
       else this.#show(view);
     } catch (error) {
-      if (ticket === this.#wanted) this.#events.onError(openingSentence(renderer.label, error));
+      if (ticket === this.#ticket) this.#events.onError(openingSentence(renderer.label, error));
       return !isLoadingError(error);
     }
     return true;
   }
 
-  close(): void {
+  #close(): void {
     const { view } = this;
     this.view = undefined;
     this.isLost = false;
