@@ -17,3 +17,26 @@ export function worldOf(options: { readonly world: PhysicsWorld } | undefined, c
   if (world?.components !== undefined) return world as PhysicsWorld;
   throw new Error(`${caller} needs a world made by createPhysicsWorld: ${caller}({ world })`);
 }
+
+/** Every option of a function, so that none is forgotten. */
+export type OptionNames<Options> = Readonly<Record<keyof Required<Options>, true>>;
+
+/** @throws Error where a function of a renderer was given an option that it does not have */
+export function checkOptions<Options extends object>(
+  options: Options,
+  names: OptionNames<Options>,
+  caller: string,
+): void {
+  for (const name of Object.keys(options)) {
+    if (Object.hasOwn(names, name)) continue;
+    throw new Error(`${caller} has no option “${name}”: its options are ${Object.keys(names).join(', ')}`);
+  }
+}
+
+/** @throws Error where the place of a picture between the last two steps is no number */
+export function checkAlpha(alpha: number): void {
+  if (Number.isFinite(alpha)) return;
+  throw new Error(
+    `update needs a number from 0 to 1, such as runner.alpha: update(1) draws the last step; got ${alpha}`,
+  );
+}

@@ -1,4 +1,4 @@
-export { sourceOf, worldOf } from './arguments.ts';
+export { checkAlpha, checkOptions, type OptionNames, sourceOf, worldOf } from './arguments.ts';
 export { type BodySource, OUTLINE_TEXELS, type Outlines, type RealColumn } from './body-source.ts';
 export {
   type Bounds2,

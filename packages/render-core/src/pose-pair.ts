@@ -1,3 +1,4 @@
+import { checkAlpha } from './arguments.ts';
 import type { BodySource } from './body-source.ts';
 
 /**
@@ -31,8 +32,10 @@ export class PosePair {
 
   /**
    * The interpolation factor between the textures for `alpha` between the previous poses, 0, and the present ones, 1.
+   * @throws Error where it is no number
    */
   alphaOf(alpha: number): number {
+    checkAlpha(alpha);
     return this.isSwapped ? 1 - alpha : alpha;
   }
 }

@@ -1,4 +1,4 @@
-import { type BodySource, sourceOf } from '@principia/render-core';
+import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { writeColor } from './color.ts';
 import { PullMesh } from './pull-mesh.ts';
@@ -43,6 +43,16 @@ export interface BodyLayer {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<BodyLayerOptions> = {
+  source: true,
+  pixelsPerMetre: true,
+  defaultColor: true,
+  blendMode: true,
+  minimumPixels: true,
+  rimWidth: true,
+  rotation: true,
+};
+
 /**
  * Draws every body of a source as the shape of its collider, or as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
  * id, so the cost in JavaScript is one upload per changed column, independent of the number of bodies.
@@ -51,6 +61,7 @@ export interface BodyLayer {
  */
 export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
   const source = sourceOf(options, 'createBodyLayer');
+  checkOptions(options, OPTION_NAMES, 'createBodyLayer');
   const { pixelsPerMetre = 1, defaultColor = 0x4f9dde, blendMode = 'normal' } = options;
   const { minimumPixels = 0.5, rotation = true, rimWidth = 0 } = options;
   const color = new Float32Array(4);

@@ -1,5 +1,5 @@
 import { type BodyBoxes, bodyBoxes, type PhysicsWorld } from '@principia/physics';
-import { worldOf } from '@principia/render-core';
+import { checkOptions, type OptionNames, worldOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { groupColor } from './group-colors.ts';
 import { createSegmentLayer } from './segment-layer.ts';
@@ -36,9 +36,19 @@ function colorOf(island: number): number {
   return groupColor(Math.imul(island, 0x9e3779b1) >>> 20);
 }
 
+const OPTION_NAMES: OptionNames<BoxLayerOptions> = {
+  world: true,
+  pixelsPerMetre: true,
+  thickness: true,
+  awakeColor: true,
+  asleepColor: true,
+  byIsland: true,
+};
+
 /** Creates a layer that shows the boxes of rigid bodies, and which sleep. @throws Error when an option is out of range */
 export function createBoxLayer(options: BoxLayerOptions): BoxLayer {
   const world = worldOf(options, 'createBoxLayer');
+  checkOptions(options, OPTION_NAMES, 'createBoxLayer');
   const { pixelsPerMetre = 1, thickness = 1, byIsland = false } = options;
   const { awakeColor = 0xff50c0ff, asleepColor = 0xffa08070 } = options;
   const lines = createSegmentLayer({ pixelsPerMetre, thickness });

@@ -1,5 +1,5 @@
 import { type ContactPoints, contactPoints, type PhysicsWorld } from '@principia/physics';
-import { worldOf } from '@principia/render-core';
+import { checkOptions, type OptionNames, worldOf } from '@principia/render-core';
 import { Container } from 'pixi.js';
 import { groupColor } from './group-colors.ts';
 import { createSegmentLayer } from './segment-layer.ts';
@@ -30,9 +30,20 @@ export interface ContactLayer {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<ContactLayerOptions> = {
+  world: true,
+  pixelsPerMetre: true,
+  pointSize: true,
+  normalLength: true,
+  pointColor: true,
+  normalColor: true,
+  byColor: true,
+};
+
 /** Creates a layer that shows where rigid bodies touch. @throws Error when an option is out of range */
 export function createContactLayer(options: ContactLayerOptions): ContactLayer {
   const world = worldOf(options, 'createContactLayer');
+  checkOptions(options, OPTION_NAMES, 'createContactLayer');
   const { pixelsPerMetre = 1, pointSize = 5, normalLength = 0.25 } = options;
   const { pointColor = 0xff5050, normalColor = 0xffd060, byColor = false } = options;
   const normals = createSegmentLayer({ pixelsPerMetre, thickness: 1.5, color: normalColor });

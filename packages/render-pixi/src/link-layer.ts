@@ -1,4 +1,4 @@
-import { type BodySource, sourceOf } from '@principia/render-core';
+import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
@@ -30,9 +30,19 @@ export interface LinkLayer {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<LinkLayerOptions> = {
+  source: true,
+  thickness: true,
+  color: true,
+  opacity: true,
+  blendMode: true,
+  pixelsPerMetre: true,
+};
+
 /** Creates an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
 export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
   const source = sourceOf(options, 'createLinkLayer');
+  checkOptions(options, OPTION_NAMES, 'createLinkLayer');
   const { pixelsPerMetre = 1, blendMode = 'normal' } = options;
   const textures = SourceTextures.acquire(source);
   const pairsTexture = new ColumnTexture('whole');

@@ -1,3 +1,4 @@
+import { checkOptions, type OptionNames } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
@@ -23,8 +24,17 @@ export interface SegmentLayer {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<LineStyle> = {
+  thickness: true,
+  color: true,
+  opacity: true,
+  blendMode: true,
+  pixelsPerMetre: true,
+};
+
 /** Creates an empty layer of lines. @throws Error when an option is out of range */
 export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
+  checkOptions(options, OPTION_NAMES, 'createSegmentLayer');
   const segmentsTexture = new ColumnTexture('real', 4);
   const colors = new LineColors();
   const bindings = { uSegments: segmentsTexture.source, uLineColors: colors.texture.source };

@@ -1,4 +1,4 @@
-import { type BodySource, sourceOf, TrailHistory } from '@principia/render-core';
+import { type BodySource, checkOptions, type OptionNames, sourceOf, TrailHistory } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { writeColor } from './color.ts';
 import { checkThickness } from './line-style.ts';
@@ -49,6 +49,20 @@ export interface TrailLayer {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<TrailLayerOptions> = {
+  source: true,
+  length: true,
+  bodies: true,
+  interval: true,
+  thickness: true,
+  color: true,
+  defaultColor: true,
+  opacity: true,
+  maxSegment: true,
+  pixelsPerMetre: true,
+  blendMode: true,
+};
+
 /**
  * Draws a fading line through the last positions of each body. A step uploads one position per body, and the GPU builds
  * the lines, so trails cost the processor about as much as the bodies themselves.
@@ -57,6 +71,7 @@ export interface TrailLayer {
  */
 export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
   const source = sourceOf(options, 'createTrailLayer');
+  checkOptions(options, OPTION_NAMES, 'createTrailLayer');
   const { length = 32, bodies, interval = 1, pixelsPerMetre = 1, blendMode = 'normal' } = options;
   const history = new TrailHistory({ source, length, interval, ...(bodies === undefined ? {} : { bodies }) });
   const trails = new TrailTextures(history);

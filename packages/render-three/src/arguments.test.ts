@@ -1,10 +1,12 @@
 import { createPhysicsWorld } from '@principia/physics';
-import { worldSource } from '@principia/render-core';
-import { PerspectiveCamera } from 'three';
+import { checkAlpha, worldSource } from '@principia/render-core';
+import { MeshBasicMaterial, PerspectiveCamera } from 'three';
 import { expect, it } from 'vitest';
 import { listenToBodyDragging } from './body-dragging.ts';
 import { createBodyMesh } from './body-mesh.ts';
+import { createOrbitCamera } from './orbit-camera.ts';
 import { fitRendererToParent } from './renderer-size.ts';
+import { createSegmentLines } from './segment-lines.ts';
 import { createTrailLines } from './trail-lines.ts';
 
 const world = createPhysicsWorld({ capacity: 10 });
@@ -30,4 +32,41 @@ it('says that it needs a renderer and a camera to fit', () => {
 it('says that a source is made from a world', () => {
   expect(() => worldSource(undefined as never)).toThrow('worldSource(world)');
   expect(() => worldSource({} as never)).toThrow('worldSource(world)');
+});
+
+it('names an option that does not exist, and those that do', () => {
+  const source = worldSource(world);
+  const wrong = { source, colour: 0xff0000 };
+  expect(() => createBodyMesh(wrong)).toThrow(
+    'createBodyMesh has no option “colour”: its options are source, defaultColor, material, form, segments',
+  );
+  const trail = { ...wrong, length: 8 };
+  expect(() => createTrailLines(trail)).toThrow('createTrailLines has no option “colour”');
+  const line = { thickness: 2 };
+  expect(() => createSegmentLines(line as object)).toThrow('its options are color, width');
+  expect(() => createOrbitCamera({ target: 0 } as never)).toThrow('createOrbitCamera has no option “target”');
+  expect(() => listenToBodyDragging({} as never, { source, onDrop() {} } as never)).toThrow('no option “onDrop”');
+});
+
+it('needs a number for the place between two steps', () => {
+  const source = worldSource(world);
+  const [mesh, trails] = [createBodyMesh({ source }), createTrailLines({ source, length: 8 })];
+  for (const wrong of [Number.NaN, undefined, '0.5'] as number[]) {
+    expect(() => mesh.update(wrong)).toThrow(
+      /such as runner\.alpha: update\(1\) draws the last step; got (NaN|undefined|0.5)/,
+    );
+    expect(() => trails.update(wrong)).toThrow('update needs a number from 0 to 1');
+  }
+  expect(() => checkAlpha(1.5)).not.toThrow();
+});
+
+it('draws with one material', () => {
+  const source = worldSource(world);
+  const make = (material: unknown, form: 'mesh' | 'impostor') => () =>
+    createBodyMesh({ source, form, material: material as MeshBasicMaterial });
+  for (const form of ['mesh', 'impostor'] as const) {
+    expect(make([new MeshBasicMaterial()], form)).toThrow('material must be one material of three');
+    expect(make([new MeshBasicMaterial()], form)).toThrow('got an array: all bodies have the same');
+    expect(make('red', form)).toThrow('got red');
+  }
 });

@@ -1,4 +1,4 @@
-import { type BodySource, ReleaseVelocity, sourceOf } from '@principia/render-core';
+import { type BodySource, checkOptions, type OptionNames, ReleaseVelocity, sourceOf } from '@principia/render-core';
 import { type Camera, Plane, Raycaster, Vector2, Vector3 } from 'three';
 import { pickBody } from './body-picker.ts';
 
@@ -37,9 +37,21 @@ interface Grip {
   readonly velocityZ: ReleaseVelocity;
 }
 
+const OPTION_NAMES: OptionNames<BodyDraggingOptions> = {
+  source: true,
+  camera: true,
+  mayGrab: true,
+  onGrab: true,
+  onDrag: true,
+  onRelease: true,
+  controls: true,
+  tolerance: true,
+};
+
 /** Lets mouse, pen and touch drag bodies in 3D; several pointers work at once. @throws Error when there is no source */
 export function listenToBodyDragging(element: HTMLElement, options: BodyDraggingOptions): BodyDragging {
   sourceOf(options, 'listenToBodyDragging');
+  checkOptions(options, OPTION_NAMES, 'listenToBodyDragging');
   const dragging = new Dragging(element, options);
   // The capture phase disables controls on the same element before they receive the event.
   element.addEventListener('pointerdown', dragging.down, { capture: true });

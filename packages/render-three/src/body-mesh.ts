@@ -1,4 +1,4 @@
-import { type BodySource, sourceOf } from '@principia/render-core';
+import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import { Group, type Intersection, Mesh, type Object3D, type Raycaster, type WebGLRenderer } from 'three';
 import { colorBytes } from './body-color.ts';
 import type { BodyMeshOptions, BodyPass } from './body-pass.ts';
@@ -33,6 +33,18 @@ export interface BodyMesh {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<BodyMeshOptions> = {
+  source: true,
+  defaultColor: true,
+  material: true,
+  form: true,
+  segments: true,
+  geometry: true,
+  minPixelRadius: true,
+  castShadow: true,
+  receiveShadow: true,
+};
+
 /**
  * Draws the bodies of a source: `disc` as a ball, `box` as a cube, `markedDisc` as a beach ball, `ring` as the outline
  * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0; as impostors, bodies whose colliders
@@ -43,6 +55,7 @@ export interface BodyMesh {
  */
 export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   const source = sourceOf(options, 'createBodyMesh');
+  checkOptions(options, OPTION_NAMES, 'createBodyMesh');
   const { defaultColor = 0x8fb8ff, segments, geometry, minPixelRadius = 0.75 } = options;
   const form = options.form ?? (segments !== undefined || geometry !== undefined ? 'mesh' : 'impostor');
   if (form === 'impostor' && geometry !== undefined) {

@@ -10,7 +10,7 @@ const patched = new WeakSet<Material>();
  * does in `onBeforeCompile` comes first.
  *
  * @param key names the rewriting: three shares programs between materials whose key and settings are equal
- * @throws Error when the material was rewritten before
+ * @throws Error when it is no material, or was rewritten before
  */
 export function patchMaterial(
   material: Material,
@@ -18,6 +18,10 @@ export function patchMaterial(
   key: string,
   change: (shader: WebGLProgramParametersWithUniforms) => void,
 ): void {
+  if (typeof material?.customProgramCacheKey !== 'function') {
+    const given = Array.isArray(material) ? 'an array: all bodies have the same' : String(material);
+    throw new Error(`material must be one material of three, such as new MeshStandardMaterial(), got ${given}`);
+  }
   if (patched.has(material)) {
     throw new Error('this material draws the bodies of another mesh: give each its own, such as material.clone()');
   }

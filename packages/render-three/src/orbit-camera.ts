@@ -1,3 +1,4 @@
+import { checkOptions, type OptionNames } from '@principia/render-core';
 import { type Box3, type OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
@@ -31,8 +32,11 @@ export interface OrbitCamera {
   destroy(): void;
 }
 
+const OPTION_NAMES: OptionNames<OrbitCameraOptions> = { element: true, camera: true, followRate: true };
+
 /** Creates a camera with three.js' `OrbitControls` on `element`. */
 export function createOrbitCamera(options: OrbitCameraOptions): OrbitCamera {
+  checkOptions(options, OPTION_NAMES, 'createOrbitCamera');
   const { element, followRate = 8 } = options;
   const camera = options.camera ?? defaultCamera();
   const controls = new OrbitControls(camera, element);

@@ -1,4 +1,4 @@
-import { TEXTURE_WIDTH } from '@principia/render-core';
+import { checkOptions, type OptionNames, TEXTURE_WIDTH } from '@principia/render-core';
 import type { ColorRepresentation, Object3D } from 'three';
 import { colorBytes } from './body-color.ts';
 import { ColumnTexture } from './column-texture.ts';
@@ -51,8 +51,11 @@ bool segmentEnds(int i, out vec3 a, out vec3 b, out vec4 colorA, out vec4 colorB
 const LANES = 4;
 const ENDS = 2;
 
+const OPTION_NAMES: OptionNames<SegmentLinesOptions> = { color: true, width: true };
+
 /** Creates an empty list of lines. */
 export function createSegmentLines(options: SegmentLinesOptions = {}): SegmentLines {
+  checkOptions(options, OPTION_NAMES, 'createSegmentLines');
   const defaultColor = colorBytes(options.color ?? 0xc0c8d4);
   const texture = new ColumnTexture('uint4');
   let bits = new Uint32Array(TEXTURE_WIDTH * LANES);

@@ -1,4 +1,11 @@
-import { sourceOf, TrailHistory, type TrailOptions } from '@principia/render-core';
+import {
+  checkAlpha,
+  checkOptions,
+  type OptionNames,
+  sourceOf,
+  TrailHistory,
+  type TrailOptions,
+} from '@principia/render-core';
 import { Group, type Object3D } from 'three';
 import { trailSegments } from './shaders/trail-segments.ts';
 import { type TrailColors, TrailTextures } from './trail-textures.ts';
@@ -19,7 +26,8 @@ export interface TrailLines {
   /** The points; `history.restart(id)` restarts a trail after a teleport. */
   readonly history: TrailHistory;
   /**
-   * Call after every step, or once a frame where a frame has at most one step: notes the source's pose if it moved.
+   * Call once a frame before rendering: notes the source's pose if it moved. A frame of several steps adds one point; for
+   * one of each step call it after each, as in `createRunner(world, { afterStep })`.
    *
    * @param alpha blend of previous and present step that the bodies are drawn with, so that the line meets its body
    */
@@ -30,6 +38,18 @@ export interface TrailLines {
 /** Most devices support this many layers of an array texture (WebGL 2 guarantees 256). */
 const MAX_LENGTH = 2048;
 
+const OPTION_NAMES: OptionNames<TrailLinesOptions> = {
+  source: true,
+  length: true,
+  bodies: true,
+  interval: true,
+  origin: true,
+  color: true,
+  defaultColor: true,
+  width: true,
+  opacity: true,
+};
+
 /**
  * Draws the trails of bodies from a ring of past positions on the GPU: a step sends one slice, whatever the length.
  *
@@ -37,6 +57,7 @@ const MAX_LENGTH = 2048;
  */
 export function createTrailLines(options: TrailLinesOptions): TrailLines {
   const source = sourceOf(options, 'createTrailLines');
+  checkOptions(options, OPTION_NAMES, 'createTrailLines');
   const { width = 1.5, opacity = 0.8 } = options;
   if (options.length > MAX_LENGTH) {
     throw new Error(`trails can have at most ${MAX_LENGTH} points, got ${options.length}: raise interval instead`);
@@ -53,6 +74,7 @@ export function createTrailLines(options: TrailLinesOptions): TrailLines {
     object,
     history,
     update(alpha) {
+      checkAlpha(alpha);
       if (source.versions.pose !== poseVersion) {
         poseVersion = source.versions.pose;
         history.record();
