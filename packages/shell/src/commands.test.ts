@@ -79,7 +79,7 @@ it('names the gestures of the views and the buttons on the screen where a game h
     release() {},
   };
   const inputs = (game: object) => gameCommands({ ...plain, ...game } as unknown as Game, actions).gestures;
-  const bar = ['▶', '◀◀', '↻', 'Sliders', '?'];
+  const bar = ['❚❚ ▶', '◀◀', '↻', 'Sliders', '?'];
   expect(inputs({}).map(([input]) => input)).toEqual(['Drag a body', 'Two fingers', ...bar]);
   const renderers = { three: renderer(3) };
   const lines = inputs({ controls, renderers, help: [['Arrow keys', 'steer', '']] });
