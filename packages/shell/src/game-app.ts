@@ -166,7 +166,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (signal.aborted) return;
     if (!isPreview) await this.#openSidebar();
     else if (this.views.view !== undefined && !this.session.paused)
-      startPreview(this.#game.controls, () => this.session.sim, this.#actions.reset);
+      startPreview(this.#game.controls, () => this.session.sim, this.#actions.reset, signal);
   }
 
   /** Ends the game: its loop, its listeners, its elements, its view and its world. */

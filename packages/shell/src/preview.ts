@@ -19,8 +19,15 @@ export const isPreview = asked !== null;
 /** What the page around a preview hears when there is a picture that moves. */
 export const PICTURE_READY = 'principia picture';
 
-/** Tells the page around this one that there is a picture, and begins to press buttons. Any page may show previews. */
-export function startPreview<Sim>(controls: Controls<Sim> | undefined, sim: () => Sim, restart: () => void): void {
+/**
+ * Tells the page around this one that there is a picture, and presses buttons until the signal. Any page may show previews.
+ */
+export function startPreview<Sim>(
+  controls: Controls<Sim> | undefined,
+  sim: () => Sim,
+  restart: () => void,
+  signal?: AbortSignal,
+): void {
   if (parent !== window) parent.postMessage(PICTURE_READY, '*');
   const names = asked?.split(',').filter((name) => Object.hasOwn(controls?.buttons ?? {}, name)) ?? [];
   if (controls === undefined || names.length === 0) return;
@@ -29,11 +36,13 @@ export function startPreview<Sim>(controls: Controls<Sim> | undefined, sim: () =
     if (presses++ % (PRESSES + 1) === PRESSES) return restart();
     for (const name of names) controls.press(sim(), name);
     setTimeout(() => {
+      if (signal?.aborted) return;
       for (const name of names) controls.release(sim(), name);
     }, 1000 * PRESS_SECONDS);
   };
   press();
-  setInterval(press, 1000 * PRESS_INTERVAL);
+  const timer = setInterval(press, 1000 * PRESS_INTERVAL);
+  signal?.addEventListener('abort', () => clearInterval(timer));
 }
 
 /** What stands for the card at the end of a game. @param again starts another game */

@@ -1,3 +1,4 @@
+import { checkOptions, type OptionNames } from '@principia/render-core';
 import { readAddress } from './address.ts';
 import type { GameDefinition, Simulation } from './game.ts';
 import { GameApp } from './game-app.ts';
@@ -30,16 +31,20 @@ export interface RunningGame {
   stop(): void;
 }
 
+const OPTION_NAMES: OptionNames<StartOptions> = { parent: true, query: true, problems: true };
+
 /**
  * Runs a game on this page, or in an element of it: builds the toolbar, the panel, the plot and the help around its picture,
  * and sets `globalThis.__game` for tests. Errors appear as sentences on the page.
  *
- * @throws Error when `parent` is no element
+ * @throws Error when `parent` is no element, or an option does not exist
  */
 export function startGame<S extends Settings, Sim extends Simulation>(
   game: GameDefinition<S, Sim>,
-  { parent, query, problems = [] }: StartOptions = {},
+  options: StartOptions = {},
 ): RunningGame {
+  checkOptions(options, OPTION_NAMES, 'startGame');
+  const { parent, query, problems = [] } = options;
   if (parent !== undefined && !(parent instanceof Element)) {
     throw new Error(`startGame needs an element as parent, or none for the whole page, got ${String(parent)}`);
   }
