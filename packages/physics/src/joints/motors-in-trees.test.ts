@@ -5,6 +5,7 @@ import {
   destroyWorld,
   distance,
   energy,
+  isAsleep,
   jointPosition,
   jointTorque,
   motorJoint,
@@ -78,6 +79,29 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     }
     expect(most).toBeLessThan(3.01);
     expect(Math.abs(z[arm] - 3)).toBeLessThan(0.01);
+    destroyWorld(world);
+  });
+
+  test.each([10, 1000, 10_000])('a motor of %i N m pushes no more than 1 mrad into a limit', (max) => {
+    const world = rigidWorld({ precision, forces: [], integrator: awake });
+    const b = spawn(world, { position: { x: 1 }, rotation: 0, mass: 1, inertia: 0.1, collider: { radius: 0.2 } });
+    const motor = { speed: 5, max };
+    const hinge = createJoint(world, revolute({ b, anchor: {}, limits: { lower: -1, upper: 1 }, motor }));
+    for (let i = 0; i < 300; i++) {
+      step(world, DT);
+      expect(jointPosition(world, hinge)).toBeLessThan(1.001);
+    }
+    expect(jointPosition(world, hinge)).toBeGreaterThan(0.999);
+    destroyWorld(world);
+  });
+
+  test('what a motor moves does not sleep, however slow it is', () => {
+    const world = rigidWorld({ precision });
+    const b = spawn(world, { position: {}, rotation: 0, collider: { radius: 0.4, density: 100, mask: 0 } });
+    createJoint(world, revolute({ b, anchor: {}, motor: { speed: 0.01, max: 1000 } }));
+    run(world, 10);
+    expect(Math.abs(world.components.Rotation.angle[b] - 0.1)).toBeLessThan(1e-3);
+    expect(isAsleep(world, b)).toBe(false);
     destroyWorld(world);
   });
 

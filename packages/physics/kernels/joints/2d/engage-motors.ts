@@ -5,7 +5,7 @@
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, rowOf, workAt } from './joint-work';
@@ -20,15 +20,26 @@ const PUSHES_DOWN: i32 = 3;
 // The rows that are locked at most.
 const MOST_LOCKS: i32 = 3;
 
-// Begins a sub-step of a joint, before its motor has done anything. While a limit bears, the motor is solved by itself: its direction
-// is locked already.
-export function startMotor(t: JointTable, work: JointWork): void {
-  const impulses = impulsesOf(t, work.id);
-  const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind) && get(t.maxMotor, work.id) > 0;
-  const isFree = has && impulses.lower == 0 && impulses.upper == 0 && work.locks < MOST_LOCKS;
-  work.motor = isFree ? HOLDS : APART;
+// Begins a sub-step of a joint, before its motor has done anything. While a limit bears, its direction is locked: the motor pushes
+// into the limit with all its force, or is solved by itself.
+export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): void {
+  work.motor = APART;
   work.motorLock = -1;
   work.push = 0;
+  const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind);
+  if (!has || !(get(t.maxMotor, work.id) > 0) || work.locks >= MOST_LOCKS) return;
+  const impulses = impulsesOf(t, work.id);
+  if (impulses.lower == 0 && impulses.upper == 0) work.motor = HOLDS;
+  else if (mostOf(t, rigid, work) < MOST_PUSH) work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
+}
+
+// No motor pushes into a limit with more, N s or N m s: its joint would have to hold that with all digits it has.
+const MOST_PUSH: f64 = 1e9;
+
+// @ts-ignore: decorator
+@inline function intoLimit(impulses: JointImpulses, speed: f64): i32 {
+  if (impulses.lower > 0 && impulses.upper == 0 && speed < 0) return PUSHES_DOWN;
+  return impulses.upper > 0 && impulses.lower == 0 && speed > 0 ? PUSHES_UP : APART;
 }
 
 // The largest impulse of a motor in a sub-step.
@@ -48,7 +59,7 @@ export function startMotor(t: JointTable, work: JointWork): void {
 // bring its two bodies to its speed, by themselves, cannot do so with what hangs on them.
 export function predictMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
-  if (work.motor == APART) return;
+  if (work.motor != HOLDS) return;
   const row = rowOf(work, MOTOR_ROW);
   const before = impulsesOf(t, work.id).motor;
   const most = mostOf(t, rigid, work);

@@ -3,12 +3,14 @@ import { get } from '../../memory/columns';
 import { DRIVEN, flagsOf, poseOf, putFlags, stateOf, word } from '../../solver/2d/body';
 import { inverseMassX, inverseMassY } from '../../solver/2d/motion-locks';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { sleeperOf } from '../../solver/2d/sleeper';
 import { articulated } from './articulated-body';
 import { braceBodies, jointed, keepVelocity, startJointed, stiffen } from './brace-joints';
 import { beginLoops, braceLoops, markLoops } from './color-loops';
 import { DISTANCE, JointTable, impulsesOf, isSolvedApart } from './joint-table';
 import { CLOSING, PARENT_B } from './joint-trees';
-import { JointWork, PLAIN, placeAt, startAt, workAt } from './joint-work';
+import { speedAlong, stateA, stateB } from './joint-rows';
+import { JointWork, MOTOR_ROW, PLAIN, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { layOutJoints } from './lay-out-joints';
 import { listActive } from './list-active';
 import { measureJoint } from './measure-joints';
@@ -70,6 +72,10 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   }
   if (at.hinge != 0) return;
   measureJoint(t, k);
+  if (isRunning(t, rigid, work)) {
+    if (work.a != 0) sleeperOf(rigid, work.a).stillFor = 0;
+    if (work.b != 0) sleeperOf(rigid, work.b).stillFor = 0;
+  }
   if (work.locks > 0 || work.kind == DISTANCE) stiffenByLocks(t, work, impulsesOf(t, id));
 }
 
@@ -78,6 +84,14 @@ function isDriving(t: JointTable, work: JointWork): bool {
   if (isSolvedApart(work.kind)) return work.parent != CLOSING;
   if (work.hasAxes == 0) return false;
   return get(t.hertz, work.id) > 0 || (get(t.maxMotor, work.id) > 0 && get(t.motorSpeed, work.id) != 0);
+}
+
+// Whether a motor turns or moves its joint at half its speed at least: what it moves does not sleep, however slow it is.
+function isRunning(t: JointTable, rigid: RigidTable, work: JointWork): bool {
+  if (work.hasAxes == 0 || isSolvedApart(work.kind) || !(get(t.maxMotor, work.id) > 0)) return false;
+  const wanted = <f64>get(t.motorSpeed, work.id);
+  const speed = speedAlong(stateA(rigid, work), stateB(rigid, work), rowOf(work, MOTOR_ROW));
+  return wanted != 0 && speed / wanted > 0.5;
 }
 
 // The inertias that rows see.

@@ -24,7 +24,7 @@ export function startJoints(table: usize): void {
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     measureJoint(t, k);
-    startMotor(t, workAt(t, k));
+    startMotor(t, rigid, workAt(t, k));
     applyImpulses(t, rigid, k, 1);
     if (workAt(t, k).hasAxes != 0) warmStartAxes(t, rigid, workAt(t, k));
   }
