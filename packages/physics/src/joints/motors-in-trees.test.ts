@@ -14,6 +14,7 @@ import {
   softStep,
   spawn,
   step,
+  wheel,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
@@ -94,6 +95,22 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     expect(jointPosition(world, hinge)).toBeGreaterThan(0.999);
     destroyWorld(world);
   });
+
+  test.each([1, -1])(
+    'the motor of a wheel turns it at its speed (%i) while its suspension rests on a limit',
+    (side) => {
+      const world = rigidWorld({ precision, integrator: awake });
+      const b = spawn(world, { position: {}, rotation: 0, collider: { radius: 0.4, density: 10, mask: 0 } });
+      const motor = { speed: 6 * side, max: 100 };
+      const spring = { hertz: 0 };
+      createJoint(world, wheel({ b, anchor: {}, spring, limits: { lower: -0.1, upper: 0.1 }, motor }));
+      run(world, 2);
+      const { z } = world.components.AngularVelocity;
+      expect(world.components.Position.y[b]).toBeCloseTo(-0.1, 3);
+      expect(z[b]).toBeCloseTo(6 * side, 3);
+      destroyWorld(world);
+    },
+  );
 
   test('what a motor moves does not sleep, however slow it is', () => {
     const world = rigidWorld({ precision });

@@ -5,7 +5,7 @@
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { JointImpulses, JointTable, WHEEL, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, rowOf, workAt } from './joint-work';
@@ -16,12 +16,14 @@ export const APART: i32 = 0;
 const HOLDS: i32 = 1;
 const PUSHES_UP: i32 = 2;
 const PUSHES_DOWN: i32 = 3;
+// A brake at a limit goes on with what it exerted: it changes nothing there, and no joint trembles.
+const RESTS: i32 = 4;
 
 // The rows that are locked at most.
 const MOST_LOCKS: i32 = 3;
 
-// Begins a sub-step of a joint, before its motor has done anything. While a limit bears, its direction is locked: the motor pushes
-// into the limit with all its force, or is solved by itself.
+// Begins a sub-step of a joint, before its motor has done anything. While a limit bears its direction is locked, and the motor pushes
+// into the limit with all its force, or is solved by itself; but a wheel turns about an axis that has no limits.
 export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): void {
   work.motor = APART;
   work.motorLock = -1;
@@ -29,7 +31,7 @@ export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): v
   const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind);
   if (!has || !(get(t.maxMotor, work.id) > 0) || work.locks >= MOST_LOCKS) return;
   const impulses = impulsesOf(t, work.id);
-  if (impulses.lower == 0 && impulses.upper == 0) work.motor = HOLDS;
+  if (work.kind == WHEEL || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
   else if (mostOf(t, rigid, work) < MOST_PUSH) work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
 }
 
@@ -38,6 +40,7 @@ const MOST_PUSH: f64 = 1e9;
 
 // @ts-ignore: decorator
 @inline function intoLimit(impulses: JointImpulses, speed: f64): i32 {
+  if (speed == 0) return RESTS;
   if (impulses.lower > 0 && impulses.upper == 0 && speed < 0) return PUSHES_DOWN;
   return impulses.upper > 0 && impulses.lower == 0 && speed > 0 ? PUSHES_UP : APART;
 }
@@ -83,12 +86,18 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   work.push = 0;
   if (work.motor == APART) return;
-  if (work.motor == HOLDS && work.limit == 0) return lockMotor(t, work);
+  if (work.motor == HOLDS && !isLimited(work)) return lockMotor(t, work);
   const impulses = impulsesOf(t, work.id);
   const most = mostOf(t, rigid, work);
-  if (work.motor == HOLDS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
+  if (work.motor == HOLDS || work.motor == RESTS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
   else impulses.motor = work.motor == PUSHES_UP ? most : -most;
   work.push = impulses.motor;
+}
+
+// Whether a limit has locked the direction in which the motor acts.
+// @ts-ignore: decorator
+@inline function isLimited(work: JointWork): bool {
+  return work.limit != 0 && work.kind != WHEEL;
 }
 
 function lockMotor(t: JointTable, work: JointWork): void {
@@ -132,7 +141,7 @@ function overload(t: JointTable, rigid: RigidTable, work: JointWork): bool {
 
 function overtake(t: JointTable, rigid: RigidTable, work: JointWork, pushed: f64): bool {
   const impulses = impulsesOf(t, work.id);
-  if (work.limit != 0 || !(impulses.motor * excessOf(t, rigid, work) > 0)) return false;
+  if (isLimited(work) || !(impulses.motor * excessOf(t, rigid, work) > 0)) return false;
   lockMotor(t, work);
   work.push = 0;
   store<f64>(lockAddress(impulses, work.motorLock), pushed);
