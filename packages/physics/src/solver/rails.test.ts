@@ -45,3 +45,22 @@ test.each([
     expect(Math.hypot(Velocity.x[ball], Velocity.y[ball])).toBeLessThan(1.001 * speed);
   },
 );
+
+test.each(['f32', 'f64'] as const)(
+  'in %s a ball that rolls on a half-plane into the wedge below a falling ceiling leaves it no faster than it came',
+  (precision) => {
+    for (const speed of [4, 10, 40, 80]) {
+      const world = createPhysicsWorld({ preset: rigidBodies, precision, capacity: 10 });
+      spawn(world, { planeWall: {} });
+      spawn(world, { segmentWall: { ax: 5, ay: 0.5, bx: 8, by: 0.15 } });
+      const ball = spawn(world, { position: { y: 0.1 }, velocity: { x: speed }, mass: 1, collider: { radius: 0.1 } });
+      const { Position, Velocity } = world.components;
+      for (let i = 0; i < 150; i++) step(world, DT);
+      expect(world.faults.faults).toEqual([]);
+      // It fits in as far as x = 7.5 m, give or take the slop of 5 mm in a slope of 0.35 / 3.
+      expect(Position.x[ball]).toBeLessThan(7.5 + (0.005 * 3) / 0.35);
+      expect(Position.y[ball]).toBeGreaterThan(0.1 - 0.005);
+      expect(Math.hypot(Velocity.x[ball], Velocity.y[ball])).toBeLessThan(speed);
+    }
+  },
+);

@@ -169,7 +169,7 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;
   const bits = <u32>word(c.members, row);
   // Position is the first component: its bit is 1.
   if ((bits & 1) == 0) return (bits & (t.segmentWallBit | t.planeWallBit)) != 0 ? kindOfWall(t, row) : 0;
-  const collides: u32 = (bits & t.colliderBit) != 0 ? COLLIDES | colliderFlags(t, row) : 0;
+  const collides: u32 = (bits & t.colliderBit) != 0 && hasShape(c, row) ? COLLIDES | colliderFlags(t, row) : 0;
   const kind = collides | ((bits & t.neverSleepBit) != 0 ? SLEEPLESS : 0);
   if ((bits & t.kinematicBit) != 0) return KINEMATIC | kind;
   if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) {
@@ -177,6 +177,12 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;
   }
   // Without a shape it is still what a joint may hang from.
   return (isDriven(c, row) ? KINEMATIC : STATIC) | kind;
+}
+
+// A circle of radius 0 is none: what touched it would stand on a point. Particles that are not born or have ended are such.
+// @ts-ignore: decorator
+@inline function hasShape(c: Columns, row: i32): bool {
+  return get(c.radius, row) > 0 || word(c.shape, row) != 0;
 }
 
 function kindOfWall(t: RigidTable, row: i32): u32 {

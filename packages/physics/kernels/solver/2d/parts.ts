@@ -100,6 +100,11 @@ export function placePart(t: RigidTable, row: i32, body: i32): void {
 // Sine and cosine of any angle.
 // @ts-ignore: decorator
 @inline export function turnTo(angle: f64): void {
+  if (angle == 0) {
+    sineCosine.cosine = 1;
+    sineCosine.sine = angle;
+    return;
+  }
   if (abs<f64>(angle) < 1e6) return computeSineCosine(angle);
   sineCosine.cosine = cosine(angle);
   sineCosine.sine = sine(angle);

@@ -7,7 +7,7 @@
 // Without that it would be stopped at each segment, and the rest of the step would be lost.
 import { RigidContact } from '../../collision/narrow-phase/2d/rigid-contact';
 import { mixMaterials } from '../../collision/narrow-phase/2d/mix-materials';
-import { Shape, vertexX, vertexY } from '../../collision/shapes/2d/shape';
+import { PLANE, Shape, vertexX, vertexY } from '../../collision/shapes/2d/shape';
 import { BodyState, poseOf, stateOf } from './body';
 import { findImpact, impact, spareA } from './first-impact';
 import { turnState } from './integrate-bodies';
@@ -55,7 +55,8 @@ export function rollOn(t: RigidTable, row: i32, first: real): real {
 //   cos(β)^(α/β) / cos α = (1 - α β / 2 + ...) / cos α
 function keptOf(t: RigidTable, sine: real): real {
   const shape = shapeAt(t, impact.other, spareA);
-  if (shape.isChained == 0) return 1;
+  // A half-plane is marked as chained, too, and has no vertices.
+  if (shape.isChained == 0 || shape.kind == PLANE) return 1;
   const bend = max<real>(bendAt(shape, 2, 0, 1), bendAt(shape, 0, 1, 3));
   if (sine <= bend) return 1;
   return (<real>1 - <real>0.5 * sine * bend) / sqrt<real>(<real>1 - sine * sine);
