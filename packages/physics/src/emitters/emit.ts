@@ -3,6 +3,7 @@ import { removeComponent } from 'bitecs';
 import { bitOf } from '../components/membership.ts';
 import type { MemoryRecord } from '../memory/record.ts';
 import { namedResource } from '../memory/resource.ts';
+import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { followBody } from './follow.ts';
 import { emitterKernels } from './kernels.ts';
@@ -18,7 +19,7 @@ import type { Emitter } from './types.ts';
 export const emittersOf = namedResource('emitters', () => ({ list: [] as Emitter[], made: 0 }));
 
 /** Ages particles of all emitters, ends those whose life is over and creates new ones. */
-export function emitParticles(world: PhysicsWorld, dt: number): void {
+export const emitParticles = /* @__PURE__ */ nameSystem('emit particles', (world: PhysicsWorld, dt: number) => {
   const { list } = emittersOf(world);
   for (let i = 0; i < list.length; i++) {
     const emitter = list[i];
@@ -37,7 +38,7 @@ export function emitParticles(world: PhysicsWorld, dt: number): void {
     if (record.numbers[N.born] !== born) world.versions.pose++;
     if (world.internal.counts.Quarantined > 0) clearQuarantine(world, emitter);
   }
-}
+});
 
 /** Computes the inherited velocity: the emitter's displacement since the last step over the time. */
 function computeVelocity({ numbers }: MemoryRecord): void {

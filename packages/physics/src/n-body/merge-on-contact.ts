@@ -21,6 +21,7 @@ import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { namedResource } from '../memory/resource.ts';
 import { activateContacts, contactTable } from '../particle-contacts/contact-table.ts';
 import { collisionKernels } from '../particle-contacts/kernels.ts';
+import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** Counts of mergers in a world. */
@@ -50,7 +51,7 @@ export function mergers(world: PhysicsWorld): Mergers {
 }
 
 /** System of the `collide` phase, before or after `collideBodies`: merges bodies with Mass whose colliders touch. */
-export function mergeOnContact(world: PhysicsWorld): void {
+export const mergeOnContact = /* @__PURE__ */ nameSystem('merge on contact', (world: PhysicsWorld) => {
   const state = stateOf(world);
   const { into, absorbedIds } = state;
   const table = contactTable(world);
@@ -72,7 +73,7 @@ export function mergeOnContact(world: PhysicsWorld): void {
     despawn(world, absorbedIds[g]);
   }
   absorbedIds.length = 0;
-}
+});
 
 function findPairs(world: PhysicsWorld): void {
   const kernels = collisionKernels(world);

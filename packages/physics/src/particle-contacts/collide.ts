@@ -14,6 +14,7 @@
 // Cost: `npm run bench -- circles --peers`, which also measures the same scene in plain JavaScript.
 
 import { namedResource } from '../memory/resource.ts';
+import { nameSystem } from '../world/name-system.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { activateContacts, contactTable } from './contact-table.ts';
 import { collisionKernels } from './kernels.ts';
@@ -45,8 +46,8 @@ export const collideBodies: LocalSystem = {
 };
 
 /** System of the `begin` phase: enables contacts and clears the wall contacts of the last step. */
-export function enableContacts(world: PhysicsWorld): void {
+export const enableContacts = /* @__PURE__ */ nameSystem('enable contacts', (world: PhysicsWorld) => {
   contactsEnabled(world);
   contactTable(world).isResolved = false;
   collisionKernels(world).beginWallContacts();
-}
+});

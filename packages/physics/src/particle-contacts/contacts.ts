@@ -4,6 +4,7 @@ import type { RealColumn } from '../components/define.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { markImmutable, namedResource } from '../memory/resource.ts';
 import { emit, hasHandlers } from '../world/event-handlers.ts';
+import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { contactTable } from './contact-table.ts';
 
@@ -129,7 +130,7 @@ export function contactCapacity(world: PhysicsWorld): number {
 }
 
 /** System of the `events` phase: dispatches the events of this step's contacts, of bodies first, then of walls. */
-export function dispatchContactEvents(world: PhysicsWorld): void {
+export const dispatchContactEvents = /* @__PURE__ */ nameSystem('dispatch contacts', (world: PhysicsWorld) => {
   if (hasHandlers(world, 'contact')) {
     const { count } = contactsOf(world);
     for (let i = 0; i < count; i++) emit(world, 'contact', i);
@@ -138,4 +139,4 @@ export function dispatchContactEvents(world: PhysicsWorld): void {
     const { count } = wallContactsOf(world);
     for (let i = 0; i < count; i++) emit(world, 'wallContact', i);
   }
-}
+});

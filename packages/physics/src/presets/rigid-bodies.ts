@@ -11,6 +11,7 @@ import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
 import { softStep } from '../solver/soft-step.ts';
 import { dispatchFaultEvents } from '../world/event-handlers.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
+import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld, Preset } from '../world/types.ts';
 
 /**
@@ -33,7 +34,7 @@ function fill(world: PhysicsWorld): void {
   const { phases } = world;
   phases.begin.push(beginStep);
   phases.integrate.push(integrate);
-  phases.finish.push(validateState, breakJoints);
+  phases.finish.push(validateState, nameSystem('break joints', breakJoints));
   phases.events.push(dispatchFaultEvents);
 }
 

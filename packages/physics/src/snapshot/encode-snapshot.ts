@@ -5,7 +5,7 @@ import { type Block, blocksOf } from '../memory/force-memory.ts';
 import { KERNEL_SOURCES } from '../memory/layouts.gen.ts';
 import { COMPUTED_ANEW, isImmutable, type ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
-import type { PhysicsWorld } from '../world/types.ts';
+import type { PhysicsWorld, System } from '../world/types.ts';
 import { addPlainObjects, type Content, type Scalars, type Snapshot } from './content.ts';
 import { contentsOf } from './contents.ts';
 import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
@@ -111,8 +111,13 @@ export function formOf(world: PhysicsWorld): WorldForm {
     components: [...internal.ownComponents.keys()].map(({ fields }) => Object.keys(fields).join(' ')),
     integrator: integrator.name,
     forces: forces.map(nameOf),
-    systems: PHASES.flatMap((phase) => phases[phase].map((system) => `${phase}: ${system.name}`)),
+    systems: PHASES.flatMap((phase) => phases[phase].map((system) => `${phase}: ${nameOfSystem(system)}`)),
   };
+}
+
+/** A name that minifiers leave alone. */
+function nameOfSystem(system: System): string {
+  return typeof system === 'function' ? (system.systemName ?? 'a function') : system.name;
 }
 
 class ValueEncoder {

@@ -3,6 +3,7 @@ import type { Fault } from '../errors/fault-log.ts';
 import { reportRejection } from '../errors/report-rejection.ts';
 import { checkFunction, unknownName } from '../errors/validate.ts';
 import { resource } from '../memory/resource.ts';
+import { nameSystem } from './name-system.ts';
 import type { PhysicsWorld } from './types.ts';
 
 /** The events and the values that their handlers receive. */
@@ -87,8 +88,8 @@ export function emit<Name extends EventName>(world: PhysicsWorld, name: Name, ev
 }
 
 /** System of the `events` phase: dispatches the events of this step's faults. */
-export function dispatchFaultEvents(world: PhysicsWorld): void {
+export const dispatchFaultEvents = /* @__PURE__ */ nameSystem('dispatch faults', (world: PhysicsWorld) => {
   const { stepFaults } = world.internal;
   if (stepFaults.length === 0 || !hasHandlers(world, 'fault')) return;
   for (let f = 0; f < stepFaults.length; f++) emit(world, 'fault', stepFaults[f]);
-}
+});

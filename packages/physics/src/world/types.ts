@@ -183,7 +183,14 @@ export interface Integrator {
 }
 
 /** A system that may access the whole world. */
-export type GlobalSystem = (world: PhysicsWorld, dt: number) => void;
+export interface GlobalSystem {
+  (world: PhysicsWorld, dt: number): void;
+  /**
+   * What `decodeSnapshot` compares, where a function has it: `Object.assign(run, { systemName: 'score' })`. The name of the
+   * function is not compared, because minifiers change it. Default none: the systems of each phase are counted.
+   */
+  readonly systemName?: string;
+}
 
 /** A system that reads and writes only the own row of each body. */
 export interface LocalSystem {

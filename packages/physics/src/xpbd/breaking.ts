@@ -7,6 +7,7 @@ import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';
 import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import { namedResource } from '../memory/resource.ts';
+import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { allocateRows, type ConstraintTable, constraintTable } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
@@ -27,7 +28,7 @@ export function brokenSprings(world: PhysicsWorld): BrokenSprings {
 }
 
 /** System of the `finish` phase: `world.phases.finish.push(breakSprings)`. */
-export function breakSprings(world: PhysicsWorld): void {
+export const breakSprings = /* @__PURE__ */ nameSystem('break springs', (world: PhysicsWorld) => {
   const broken = state(world);
   world.internal.breaksSprings = true;
   if (broken.ids.length > 0) broken.ids.length = 0;
@@ -41,7 +42,7 @@ export function breakSprings(world: PhysicsWorld): void {
     broken.ids.push(id);
   }
   broken.total += count;
-}
+});
 
 function findBroken(world: PhysicsWorld, table: ConstraintTable): number {
   const kernels = constraintKernels(world);
