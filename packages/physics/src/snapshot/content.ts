@@ -6,8 +6,10 @@ import { isImmutable, ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
 import type { PhysicsWorld, System } from '../world/types.ts';
 import { noEntities, restoreEntities, type SavedEntities, saveEntities } from './entities.ts';
+import { KEPT, keptObjects } from './keep-state.ts';
 import { type MemoryImage, noImage, putImage, takeImage } from './memory-image.ts';
 import { type Copy, PlainRecord } from './plain-record.ts';
+import { refuseInstance } from './refuse-instances.ts';
 
 /** A saved state of a world. It can be restored to that world any number of times. */
 export interface Snapshot {
@@ -197,9 +199,14 @@ export class Content implements Snapshot {
     const plain = this.#plain;
     plain.begin();
     addPlainObjects(this.world, plain.add);
-    for (let i = 0; i < this.#states.length; i++) plain.add(this.#states[i]);
+    for (let i = 0; i < this.#states.length; i++) {
+      plain.onInstance = (this.#keys[i] as ResourceKey).name === KEPT ? this.#refuse : undefined;
+      plain.add(this.#states[i]);
+    }
     plain.end();
   }
+
+  readonly #refuse = (instance: object): void => refuseInstance(instance, keptObjects(this.world));
 
   readonly #noteResource = (state: unknown, key: object): void => {
     if (!isState(key)) return;

@@ -3,8 +3,11 @@ import { checkObject } from '../errors/validate.ts';
 import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
+/** The name of the resource with the objects to save. */
+export const KEPT = 'kept objects';
+
 /** The objects to save, in the order in which they were passed. */
-export const keptObjects = namedResource('kept objects', (): object[] => []);
+export const keptObjects = namedResource(KEPT, (): object[] => []);
 
 const named = new WeakSet<object>();
 
@@ -16,8 +19,9 @@ export function isKept(value: object): boolean {
 /**
  * Adds objects to the state of the world: snapshots save their contents, and `restore` writes them back to the same
  * objects. Contents are fields, elements, and everything in nested plain objects, arrays, maps, sets and typed arrays;
- * for an instance of a class they are its public fields. Use it for the state of your own systems: scores, timers,
- * `random.state`.
+ * for an instance of a class that is passed they are its public fields. Inside these, an instance of a class must be passed itself,
+ * or keep one of its own fields, or `snapshot` throws E_TYPE and names it; `markImmutable` excepts what is no state, such as a picture.
+ * An instance without public fields is not saved. Use it for the state of your own systems: scores, timers, `random.state`.
  * @throws PhysicsError E_TYPE, E_DESTROYED: no object is added
  */
 export function keepState(world: PhysicsWorld, ...objects: readonly object[]): void {

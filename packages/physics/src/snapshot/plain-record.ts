@@ -27,6 +27,8 @@ export class PlainRecord {
   readonly #known = new WeakMap<object, Copy>();
   #count = 0;
   #traversal = 0;
+  /** Called with instances of classes that are kept by reference; undefined where that is meant. */
+  onInstance: ((instance: object) => void) | undefined;
 
   constructor(isForeign: (value: object) => boolean) {
     this.#isForeign = isForeign;
@@ -46,7 +48,10 @@ export class PlainRecord {
     let copy = this.#known.get(value);
     if (copy === undefined) {
       copy = copyOf(value);
-      if (copy === undefined) return;
+      if (copy === undefined) {
+        this.onInstance?.(value);
+        return;
+      }
       this.#known.set(value, copy);
     }
     this.#copies[this.#count++] = copy;

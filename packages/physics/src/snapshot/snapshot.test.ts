@@ -16,6 +16,8 @@ import {
   destroyWorld,
   entityRef,
   isAlive,
+  keepState,
+  markImmutable,
   on,
   type PhysicsWorld,
   particleContacts,
@@ -283,4 +285,50 @@ it('takes no more memory than the world uses', () => {
   step(world, 1 / 60);
   // The snapshot has one page per column in use, of a memory of several hundred megabytes.
   expect(snapshot(world).bytes).toBeLessThan(60 * 4096);
+});
+
+describe('instances of classes inside kept objects', () => {
+  class Player {
+    hp = 3;
+    readonly items = ['sword'];
+  }
+
+  it('are refused by a snapshot, which names the place', () => {
+    for (const [game, place] of [
+      [{ round: 1, players: [new Player()] }, 'object[0].players[0]'],
+      [{ players: new Map([['a', new Player()]]) }, 'object[0].players[a]'],
+      [{ players: new Set([new Player()]) }, 'object[0].players.member 0'],
+      [Object.assign(new Player(), { rival: new Player() }), 'object[0].rival'],
+    ] as const) {
+      const world = createPhysicsWorld({ capacity: 5 });
+      keepState(world, game);
+      expect(() => snapshot(world)).toThrow(`keepState: ${place} is an instance of a class`);
+    }
+  });
+
+  it('go back if they were passed as well, and are left alone if they keep their own state or have none', () => {
+    const world = createPhysicsWorld({ capacity: 5 });
+    const player = new Player();
+    const record = Object.assign(new Player(), { state: { best: 1 } });
+    const picture = markImmutable(new Player());
+    const game = {
+      round: 1,
+      players: [player],
+      record,
+      picture,
+      day: new Date(0),
+      frozen: Object.freeze(new Player()),
+    };
+    keepState(world, game, player, record.state);
+    const taken = snapshot(world);
+    Object.assign(game, { round: 2 });
+    player.hp = 1;
+    player.items.push('key');
+    record.state.best = 2;
+    record.hp = picture.hp = 9;
+    game.players.push(new Player());
+    restore(world, taken);
+    expect([game.round, game.players, player.hp, player.items]).toEqual([1, [player], 3, ['sword']]);
+    expect([record.state.best, record.hp, picture.hp]).toEqual([1, 9, 9]);
+  });
 });

@@ -14,7 +14,7 @@ import { Content, type Snapshot } from './content.ts';
  * bitECS components that are not in the world's memory. Cost: one copy of the memory in use, and some microseconds.
  * @param spare a snapshot of this world that is no longer needed: it is overwritten and returned. Nothing is allocated
  *   then unless the world has grown
- * @throws PhysicsError E_REENTRANT inside a step, E_TYPE, E_DESTROYED
+ * @throws PhysicsError E_REENTRANT inside a step; E_TYPE, also for an instance of a class inside kept objects; E_DESTROYED
  */
 export function snapshot(world: PhysicsWorld, spare?: Snapshot): Snapshot {
   assertIdle(world, 'snapshot');
