@@ -1,5 +1,6 @@
 import { shapePool } from '../collision/shapes/shape-pool.ts';
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
+import type { ComponentSpec } from '../components/define.ts';
 import { isInFirstWord } from '../components/membership.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { SHAPE_BYTES } from '../memory/layouts.gen.ts';
@@ -10,8 +11,10 @@ function usesSecondWord(counts: Readonly<Record<ComponentName, number>>): boolea
 }
 
 /**
- * Returns a 64-bit hash of the world's state, which covers membership, every component column up to the highest
- * entity in use, and the shapes, as 16 hexadecimal digits. Equal states give equal hashes on every JavaScript engine; -0 counts as 0.
+ * Returns a 64-bit hash of the state of the bodies as 16 hexadecimal digits: which components each entity has, every column up to the
+ * highest entity in use, of the package's components and of your own, and the shapes. Equal states give equal hashes on every JavaScript
+ * engine; -0 counts as 0. Time, emitters, random streams, contacts, sleep, forces and kept objects are not in it: docs/determinism.md says how
+ * players compare their worlds.
  * @throws PhysicsError E_DESTROYED
  */
 export function stateHash(world: PhysicsWorld): string {
@@ -20,17 +23,25 @@ export function stateHash(world: PhysicsWorld): string {
   const rows = world.lastId + 1;
   kernels.hashBegin();
   kernels.hashWords(internal.membersAt, rows);
-  if (usesSecondWord(internal.counts)) kernels.hashWords(internal.moreMembersAt, rows);
+  const { ownComponents } = internal;
+  if (ownComponents.size > 0 || usesSecondWord(internal.counts)) kernels.hashWords(internal.moreMembersAt, rows);
   for (const name of COMPONENT_NAMES) {
     if (internal.counts[name] === 0) continue;
-    for (const [field, spec] of Object.entries(COMPONENTS[name].fields)) {
-      const address = (addresses[name] as Record<string, number>)[field] as number;
-      if (spec.kind === 'real') kernels.hashReals(address, rows);
-      else kernels.hashWords(address, rows);
-    }
+    hashColumns(world, COMPONENTS[name], addresses[name], rows);
   }
+  ownComponents.forEach((own, component) => {
+    hashColumns(world, component, own.addresses, rows);
+  });
   const { at, count } = shapePool(world);
   if (count > 1) kernels.hashWords(at, (count * SHAPE_BYTES[world.precision]) / 4);
   const hex = (word: number) => (word >>> 0).toString(16).padStart(8, '0');
   return hex(kernels.hashHigh()) + hex(kernels.hashLow());
+}
+
+function hashColumns({ kernels }: PhysicsWorld, { fields }: ComponentSpec, addresses: object, rows: number): void {
+  for (const [field, { kind }] of Object.entries(fields)) {
+    const address = (addresses as Record<string, number>)[field] as number;
+    if (kind === 'real') kernels.hashReals(address, rows);
+    else kernels.hashWords(address, rows);
+  }
 }
