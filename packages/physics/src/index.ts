@@ -188,7 +188,7 @@ export type {
   SumMethod,
 } from './n-body/mutual-force.ts';
 export { type MutualGravityOptions, mutualGravity } from './n-body/mutual-gravity.ts';
-export { type BoxWallsOptions, boxWalls } from './particle-contacts/box-walls.ts';
+export { type BoxWallsOptions, boxWalls, replaceBoxWalls } from './particle-contacts/box-walls.ts';
 export { collideBodies, enableContacts } from './particle-contacts/collide.ts';
 export {
   type Contacts,

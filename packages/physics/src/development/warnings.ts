@@ -78,6 +78,7 @@ export function warnAboutColor(world: PhysicsWorld, color: unknown): void {
  */
 export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, ignoredEvents: readonly string[]): void {
   warnAboutWalls(world, plan);
+  warnAboutFlatComponents(world);
   for (const event of ignoredEvents) {
     warnOnce(world, {
       message: `a handler of "${event}" is never called, because no system of this world dispatches this event.`,
@@ -110,11 +111,48 @@ function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
   for (const [component, system] of walls) {
     const isRun = plan.systems.walls.some(({ name }) => name === system);
     if (isRun || world.internal.counts[component] === 0) continue;
+    const collides = plan.systems.collide.some(({ name }) => name === 'collide bodies');
     warnOnce(world, {
       message: `bodies pass through every ${component}, because no system of this world runs them.`,
-      hint: 'Create the world with `preset: particleContacts`.',
+      hint: collides
+        ? `The system "${system}" was taken out of \`world.phases.walls\`: put it back. replaceBoxWalls leaves it there.`
+        : 'Create the world with `preset: particleContacts`.',
     });
   }
+}
+
+/** What only worlds of two dimensions have, and what turns a body in three. */
+function warnAboutFlatComponents(world: PhysicsWorld): void {
+  const { SegmentWall, Rotation, AngularVelocity } = world.internal.counts;
+  if (world.dimensions === 2) return;
+  if (SegmentWall > 0) {
+    warnOnce(world, {
+      message: 'bodies pass through every SegmentWall, because this world has three dimensions.',
+      hint: 'Use `planeWall` or boxWalls({ … }), or make the world with `dimensions: 2`.',
+    });
+  }
+  if (Rotation > 0) {
+    warnOnce(world, {
+      message: 'Rotation has no effect, because this world has three dimensions.',
+      hint: 'Spawn bodies with `orientation: {}` in place of `rotation`.',
+    });
+  }
+  if (AngularVelocity > 0) warnAboutMissingOrientations(world);
+}
+
+/** A ball may spin without an orientation for what touches it, or for a force that reads its spin. */
+function warnAboutMissingOrientations(world: PhysicsWorld): void {
+  if (world.forces.some(({ reads }) => reads.includes('AngularVelocity'))) return;
+  const { x, y, z } = world.components.AngularVelocity;
+  const { members } = world.internal;
+  const seen = bitOf('Orientation') | bitOf('Collider');
+  const body = firstRow(world, (id) => (members[id] & seen) === 0 && (x[id] !== 0 || y[id] !== 0 || z[id] !== 0));
+  if (body === 0) return;
+  const warning = {
+    message: `body ${body} has an angular velocity and does not turn, because it has no Orientation.`,
+    hint: 'Spawn it with `orientation: {}` as well.',
+  };
+  warnOnce(world, warning, 'no Orientation');
 }
 
 /** Components that only forces read, and a factory of such a force. */

@@ -4,8 +4,12 @@ import {
   createPhysicsWorld,
   energy,
   type PhysicsWorldOptions,
+  particleContacts,
+  replaceBoxWalls,
+  rigidBodies,
   semiImplicitEuler,
   spawn,
+  standard,
   step,
   uniformGravity,
 } from '../index.ts';
@@ -239,4 +243,34 @@ describe('edge cases within a step', () => {
     expect(world.components.Position.y[body]).toBeGreaterThanOrEqual(0.5);
     expect(Math.abs(world.components.Velocity.y[body])).toBeLessThanOrEqual(1.1);
   });
+});
+
+test.each(Object.entries({ standard, particleContacts, rigidBodies }))(
+  'with the preset %s another box takes the place of the first, wherever that stands, and other walls stay',
+  (name, preset) => {
+    const world = floor(10, { preset });
+    spawn(world, { segmentWall: { ax: 4, ay: 3, bx: 6, by: 3 } });
+    const ball = spawn(world, { position: { y: 1 }, mass: 1, collider: 0.2 });
+    const shelf = spawn(world, { position: { x: 5, y: 4 }, mass: 1, collider: 0.2 });
+    const { y } = world.components.Position;
+    const run = () => {
+      for (let i = 0; i < 150; i++) step(world, 1 / 60);
+    };
+    // Contacts of rigid bodies leave an overlap of 5 mm.
+    run();
+    expect(Math.abs(y[ball] - 0.2)).toBeLessThan(0.006);
+    const count = world.phases.walls.length;
+    replaceBoxWalls(world, { min: { y: -2 } });
+    expect(world.phases.walls.length).toBe(count);
+    run();
+    expect(Math.abs(y[ball] + 1.8)).toBeLessThan(0.006);
+    if (name !== 'standard') expect(Math.abs(y[shelf] - 3.2)).toBeLessThan(0.006);
+  },
+);
+
+test('a world without a box gets one', () => {
+  const world = createPhysicsWorld({ capacity: 10 });
+  replaceBoxWalls(world, { min: { y: 0 } });
+  expect(world.phases.walls.map(({ name }) => name)).toEqual(['box walls']);
+  expect(() => replaceBoxWalls(world, { min: { y: 1 }, max: { y: 0 } })).toThrow(/E_RANGE/);
 });

@@ -3,6 +3,7 @@
 import { MAX_SPEED } from '../components/velocity.ts';
 import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step.ts';
 import { FAR } from '../dynamics/loop-checks.ts';
+import { assertUsable } from '../ecs/guards.ts';
 import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
 import { BOX_BYTES, BoxNumber, BoxWord } from '../memory/layouts.gen.ts';
@@ -63,6 +64,17 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
       world.kernels.boxListed(boxAt(world), list, dt, lagOf(world, dt), MAX_SPEED, savesVelocity ? 1 : 0) === 0,
   };
   return system;
+}
+
+/**
+ * Replaces the first `boxWalls` of a world by a box with these options, wherever it stands among the walls; a world without one gets it.
+ * @throws PhysicsError as `boxWalls`; E_DESTROYED
+ */
+export function replaceBoxWalls(world: PhysicsWorld, options: BoxWallsOptions): void {
+  assertUsable(world);
+  const { walls } = world.phases;
+  const index = walls.findIndex((system) => typeof system !== 'function' && system.role === 'box');
+  walls[index < 0 ? walls.length : index] = boxWalls(options);
 }
 
 function writeBox(world: PhysicsWorld, values: readonly number[]): number {
