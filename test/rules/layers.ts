@@ -36,6 +36,7 @@ export const physicsLayers: readonly string[] = [
   'development',
   'memory/layouts.gen.ts',
   'world/phases.ts',
+  'world/name-system.ts',
   'laws',
   'memory',
   'ecs',

@@ -5,10 +5,9 @@ import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../
 import { generationOf } from '../ecs/bitecs/context.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
-import { hasAnyComponent, staleError } from '../ecs/entity-ref.ts';
+import { hasAnyComponent, noBody } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
-import { describe } from '../errors/physics-error.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { type ResolvedInput, resolveShape, type ShapeInput } from './collider-shape.ts';
@@ -124,7 +123,7 @@ export function despawn(world: PhysicsWorld, eid: number): void {
     despawnLater(world, eid);
     return;
   }
-  if (!hasAnyComponent(world, eid)) throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
+  if (!hasAnyComponent(world, eid)) throw noBody(eid);
   removeWithParts(world, eid);
 }
 
@@ -140,7 +139,7 @@ function despawnLater(world: PhysicsWorld, eid: number): void {
   const { leaving, deferredEdits } = world.internal;
   // Asks bitECS rather than the rows: bodies created in this step have no rows yet, and others may be removed already.
   if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
-    throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
+    throw noBody(eid);
   }
   const generation = generationOf(world, eid);
   if (leaving.get(eid) === generation) return;

@@ -117,7 +117,16 @@ export function assertBody(world: PhysicsWorld, eid: number): void {
     const hint = 'Pass its values to `spawn`, and do the rest after the step.';
     throw staleError(eid, `body ${eid} was spawned during this step and can be used only after it.`, hint);
   }
-  throw staleError(eid, `there is no body ${describe(eid)} in this world.`);
+  throw noBody(eid);
+}
+
+/** A number above all ids is most often a reference. */
+export function noBody(eid: number): PhysicsError {
+  const hint =
+    typeof eid === 'number' && eid > MAX_CAPACITY
+      ? 'It may be a reference: pass resolve(world, ref), which is its entity id.'
+      : undefined;
+  return staleError(eid, `there is no body ${describe(eid)} in this world.`, hint);
 }
 
 export function staleError(eid: number, problem: string, hint?: string): PhysicsError {

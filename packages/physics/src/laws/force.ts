@@ -1,5 +1,5 @@
-import type { ComponentName } from '../components/all.ts';
-import { checkFlag, checkFunction, checkHas, checkKeys } from '../errors/validate.ts';
+import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
+import { checkFlag, checkFunction, checkHas, checkKeys, checkList, unknownName } from '../errors/validate.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 
 /** The description of a custom force in plain TypeScript. */
@@ -8,7 +8,7 @@ export interface CustomForce {
   /** The equation, to be shown. Default none. */
   readonly equation?: string;
   /** Components whose columns it reads. Default none. */
-  readonly reads?: readonly string[];
+  readonly reads?: readonly ComponentName[];
   /** Default true: the force on a body depends on that body only. */
   readonly local?: boolean;
   /** If not local: components of other bodies that it reads beside position and velocity. Default all. */
@@ -55,10 +55,15 @@ export function defineForce(force: CustomForce): Force {
     potential,
     evaluationWork,
   } = force;
+  checkList(reads, 'defineForce: reads');
+  checkList(readsOfOthers, 'defineForce: readsOfOthers');
   checkFlag(local, 'defineForce: local');
   checkFlag(appliesTorque, 'defineForce: appliesTorque');
   for (const [key, value] of Object.entries({ prepare, potential, evaluationWork })) {
     if (value !== undefined) checkFunction(value, `defineForce: ${key}`);
+  }
+  for (const component of [...reads, ...(readsOfOthers ?? [])]) {
+    if (!COMPONENT_NAMES.includes(component)) throw unknownName('defineForce', 'component', component, COMPONENT_NAMES);
   }
   return {
     name,
