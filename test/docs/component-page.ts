@@ -92,7 +92,8 @@ function section(name: ComponentName): string[] {
 function fieldRow(name: ComponentName, field: string, facts: FieldSpec): string {
   const { unit, initial, infinite, spatial } = facts;
   const notes = [
-    commentOf(name, field),
+    // A column of the table has the default.
+    commentOf(name, field).replace(/; default -?[\d.]*\d/, ''),
     spatial === true ? '*3D*' : '',
     infinite === undefined ? '' : `\`Infinity\` is taken and stored as ${plain(infinite)}.`,
   ];
@@ -129,11 +130,17 @@ function commentOf(name: ComponentName, field?: string): string {
   const comment = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\s*$/;
   const text = texts.find((candidate) => candidate.includes(`export const ${name} = defineComponent`)) ?? '';
   const start = text.indexOf(`export const ${name} = defineComponent`);
-  const body = text.slice(start, text.indexOf('\n});', start));
+  const body = bodyOf(text, name, start);
   const before =
     field === undefined ? text.slice(0, start) : body.slice(0, body.search(new RegExp(`^ +${field}: `, 'm')));
   const [, found = ''] = comment.exec(before) ?? [];
   return found.replaceAll(/\s*\n\s*\*\s?/g, ' ').trim();
+}
+
+/** The fields of a component with their comments: its type has them, where there is one. */
+function bodyOf(text: string, name: ComponentName, start: number): string {
+  const type = text.indexOf(`export type ${name}Fields = {`);
+  return type < 0 ? text.slice(start, text.indexOf('\n});', start)) : text.slice(type, text.indexOf('\n};', type));
 }
 
 function escaped(text: string): string {

@@ -1,5 +1,6 @@
 /** Principia: headless game physics over bitECS columns in one WebAssembly memory. */
 
+export type { BodyInput } from './bodies/body-input.ts';
 export type { ShapeInput } from './bodies/collider-shape.ts';
 export { type ExplosionOptions, explode } from './bodies/explode.ts';
 export { applyImpulse } from './bodies/impulse.ts';
@@ -8,7 +9,7 @@ export type { Many, ManyInput } from './bodies/many.ts';
 export { bodyOf, partsOf } from './bodies/parts.ts';
 export { type PrincipalAxes, principalAxes, type TensorInput } from './bodies/principal-axes.ts';
 export { setShape } from './bodies/set-shape.ts';
-export { type BodyInput, despawn, spawn } from './bodies/spawn.ts';
+export { despawn, spawn } from './bodies/spawn.ts';
 export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';
 export { type Compound, type CompoundInput, type CompoundShape, spawnCompound } from './bodies/spawn-compound.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';

@@ -7,7 +7,8 @@ import { checkField, completeValues, fieldName, initialValues } from '../ecs/val
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, isWithin, mustBe } from '../errors/validate.ts';
 import type { FieldValues } from '../world/types.ts';
-import { type BodyInput, componentOfKey, lacksVelocity } from './spawn.ts';
+import type { BodyInput } from './body-input.ts';
+import { componentOfKey, lacksVelocity } from './spawn.ts';
 
 /** A value for each body: one number for all, or an array with one number per body. */
 export type Many = number | ArrayLike<number>;

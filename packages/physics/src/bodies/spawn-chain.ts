@@ -4,7 +4,8 @@ import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { type BodyInput, spawn } from './spawn.ts';
+import type { BodyInput } from './body-input.ts';
+import { spawn } from './spawn.ts';
 
 /** How the surface of a chain behaves: the fields of `Collider` except its shape. */
 export type ChainSurface = Omit<Exclude<NonNullable<BodyInput['collider']>, number>, 'shape' | 'radius' | 'density'>;

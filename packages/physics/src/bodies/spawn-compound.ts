@@ -9,9 +9,10 @@ import { checkNumber, checkVector, isRecord, mustBe } from '../errors/validate.t
 import { POSITION_BOUNDS } from '../forces/support/bounds.ts';
 import { cos, sin } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import type { BodyInput } from './body-input.ts';
 import { checkShape } from './collider-shape.ts';
 import { compoundMass, type MassPart } from './compound-mass.ts';
-import { type BodyInput, spawn } from './spawn.ts';
+import { spawn } from './spawn.ts';
 
 /** A shape of a compound body: where it is, its density and how its surface behaves, as in `collider` of `spawn`. */
 export type CompoundShape = Exclude<NonNullable<BodyInput['collider']>, number> & {

@@ -1,7 +1,7 @@
 import { addComponent, addEntity, entityExists, hasComponent, set } from 'bitecs';
 import { warnAboutColor } from '#warnings';
 import { type Shape, storeShape } from '../collision/shapes/2d/shape.ts';
-import { COMPONENT_NAMES, type COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
+import { COMPONENT_NAMES, type ComponentName, keyOf } from '../components/all.ts';
 import { generationOf } from '../ecs/bitecs/context.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
@@ -10,35 +10,9 @@ import { assertUsable } from '../ecs/guards.ts';
 import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
-import { type ResolvedInput, resolveShape, type ShapeInput } from './collider-shape.ts';
+import type { BodyInput } from './body-input.ts';
+import { type ResolvedInput, resolveShape } from './collider-shape.ts';
 import { removeOrphanedParts } from './parts.ts';
-
-type FieldsOf<Name extends ComponentName> = {
-  readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: (typeof COMPONENTS)[Name]['fields'][F] extends {
-    readonly isFlag: true;
-  }
-    ? number | boolean
-    : number;
-};
-
-type NamesWithScalar = {
-  [Name in ComponentName]: (typeof COMPONENTS)[Name] extends { readonly scalar?: infer S }
-    ? S extends string
-      ? Name
-      : never
-    : never;
-}[ComponentName];
-
-/**
- * The components of a new body: `{ position: { x: 1 }, velocity: { y: 2 }, mass: 3, collider: { radius: 0.5 } }`, or with
- * a shape `{ position: { x: 1 }, collider: { shape: box(1, 0.5), density: 1000 } }`.
- */
-export type BodyInput = {
-  readonly [Name in ComponentName as Uncapitalize<Name>]?:
-    | (Name extends 'Collider' ? Omit<FieldsOf<Name>, 'shape'> & ShapeInput : FieldsOf<Name>)
-    | (Name extends NamesWithScalar ? number : never)
-    | undefined;
-};
 
 const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [keyOf(name), name]));
 

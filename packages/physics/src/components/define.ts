@@ -62,8 +62,10 @@ export function u32(unit: string, options: FieldOptions = {}): FieldSpec<'u32'> 
   return { ...field, kind: 'u32', bounds: { min: 0, max: 0xffffffff, integer: true, ...field.bounds } };
 }
 
+export type FlagSpec = FieldSpec<'u32'> & { readonly isFlag: true };
+
 /** A field that is 0 or 1; `true` and `false` are accepted where values are given. */
-export function flag(): FieldSpec<'u32'> & { readonly isFlag: true } {
+export function flag(): FlagSpec {
   return { ...u32('', { bounds: { max: 1 }, hint: 'Give true or false, or 1 or 0.' }), isFlag: true };
 }
 

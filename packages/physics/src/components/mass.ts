@@ -1,10 +1,16 @@
-import { defineComponent, real } from './define.ts';
+import { defineComponent, type FieldSpec, real } from './define.ts';
+
+/** Comments for editors: see `PositionFields`. */
+export type MassFields = {
+  /** Mass, kg; default 1. 0 in the column is a body that no force moves. */
+  value: FieldSpec<'real'>;
+};
 
 /**
  * Mass, kg. Forces and contacts move bodies with Position, Velocity and Mass. A body without Mass (the column holds
  * 0) is static, or kinematic if it has a velocity; infinity means the same.
  */
-export const Mass = defineComponent({
+export const Mass = defineComponent<{ readonly scalar: 'value'; readonly fields: MassFields }>({
   scalar: 'value',
   fields: {
     value: real('kg', {

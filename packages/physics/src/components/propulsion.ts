@@ -1,10 +1,20 @@
-import { defineComponent, normaliseFields, real } from './define.ts';
+import { defineComponent, type FieldSpec, normaliseFields, real } from './define.ts';
 
 const NEWTONS = { bounds: { min: -1e38, max: 1e38 } };
 const DIRECTION = { bounds: { min: -1e12, max: 1e12 } };
 
+/** Comments for editors: see `PositionFields`. */
+export type ThrustFields = {
+  /** Along x of the world or of the body, N; default 0. */
+  x: FieldSpec<'real'>;
+  /** Along y of the world or of the body, N; default 0. */
+  y: FieldSpec<'real'>;
+  /** Along z of the world or of the body, N; default 0. */
+  z: FieldSpec<'real'>;
+};
+
 /** A constant force on the body, N, in axes of the world or of the body: write the columns to steer. See `thrust`. */
-export const Thrust = defineComponent({
+export const Thrust = defineComponent<{ readonly fields: ThrustFields }>({
   fields: { x: real('N', NEWTONS), y: real('N', NEWTONS), z: real('N', { ...NEWTONS, spatial: true }) },
 });
 

@@ -1,4 +1,4 @@
-import { defineComponent, real } from './define.ts';
+import { defineComponent, type FieldSpec, real } from './define.ts';
 
 /** The speed of light in vacuum, m/s, exact (SI): the maximum speed along an axis; larger values are clamped. */
 export const MAX_SPEED = 299_792_458;
@@ -10,8 +10,18 @@ export const VELOCITY_LIMITS = {
   hint: 'The limit holds for the number, in whatever units: take a larger unit of length or a shorter one of time, as docs/units.md says.',
 };
 
+/** Comments for editors: see `PositionFields`. */
+export type VelocityFields = {
+  /** Along x, m/s; default 0. */
+  x: FieldSpec<'real'>;
+  /** Along y, m/s; default 0. */
+  y: FieldSpec<'real'>;
+  /** Along z, m/s; default 0. */
+  z: FieldSpec<'real'>;
+};
+
 /** Velocity of the centre of mass, m/s. */
-export const Velocity = defineComponent({
+export const Velocity = defineComponent<{ readonly fields: VelocityFields }>({
   fields: {
     x: real('m/s', { bounds: VELOCITY_LIMITS }),
     y: real('m/s', { bounds: VELOCITY_LIMITS }),

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { type BodyInput, spawn } from '../bodies/spawn.ts';
+import type { BodyInput } from '../bodies/body-input.ts';
+import { spawn } from '../bodies/spawn.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { defineForce } from '../laws/force.ts';

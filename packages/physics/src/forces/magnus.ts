@@ -40,7 +40,12 @@ const law = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * The Magnus force on spinning balls, perpendicular to path and axis: F = C π ρ r³ (ω × w), with the radius of the collider, m, the
+ * angular velocity ω, rad/s, and the velocity w against the fluid, m/s. It acts on bodies with AngularVelocity and Collider, and does not slow
+ * the spin. Sports balls have C from 0.1 to 1.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function magnus(options: MagnusOptions): Force {
   return law(options);
 }

@@ -8,6 +8,10 @@
 // moved bodies.
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * The default integrator: of second order, symplectic and reversible for forces that depend on position alone, exact for a constant
+ * force. It evaluates the forces twice a step, and suits most worlds; docs/integrators.md compares all.
+ */
 export const velocityVerlet = /* @__PURE__ */ defineIntegrator(
   {
     name: 'velocity Verlet',
