@@ -6,10 +6,11 @@
 //   m  mass, kg    p  the point, m    f  frequency, Hz    ζ  damping ratio, 1 critical
 //
 // Scaled by the mass, so that heavy and light bodies respond alike. Keep f below a tenth of the step rate. A body may
-// be grabbed and released at run time; the grab is input, like a key, and not part of the world's state. Energy is
-// conserved while the point rests and ζ = 0: damping dissipates it, and a moving point adds to it. Catto, Soft
-// Constraints (Game Developers Conference, 2011). Cost: none unless a body is grabbed, and then two square roots or
-// divisions and about 25 more operations for every body, because all SIMD lanes do the same.
+// be grabbed and released at run time by functions of the force, `grab(world, id, point)`, `moveTo(point)` and `release()`;
+// the grab is input, like a key, and not part of the world's state. Energy is conserved while the point rests and ζ = 0:
+// damping dissipates it, and a moving point adds to it. Catto, Soft Constraints (Game Developers Conference, 2011). Cost:
+// none unless a body is grabbed, and then two square roots or divisions and about 25 more operations for every body,
+// because all SIMD lanes do the same.
 import { defineLaw } from '../dynamics/define-law.ts';
 import { assertBody, type EntityRef, entityRef, isAlive } from '../ecs/entity-ref.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
