@@ -21,14 +21,14 @@ export const bundles = [
     name: 'particles',
     title: 'particles with forces, integrators, walls and diagnostics',
     imports: particles,
-    limits: [59.1, 55.7],
+    limits: [59.3, 55.9],
   },
-  { name: 'with emitters', title: 'with emitters', imports: `${particles} ${emitters}`, limits: [71.3, 66.8] },
+  { name: 'with emitters', title: 'with emitters', imports: `${particles} ${emitters}`, limits: [71.4, 67] },
   {
     name: 'with contacts',
     title: 'with contacts',
     imports: `${particles} ${emitters} ${contacts}`,
-    limits: [99.9, 83.3],
+    limits: [100.1, 83.45],
   },
   {
     name: 'rigid bodies in 2D',

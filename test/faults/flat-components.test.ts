@@ -43,5 +43,5 @@ it('the hint about walls names the system that was taken out', () => {
   spawn(world, { segmentWall: { ax: -9, bx: 9 } });
   world.phases.walls.splice(0, 1);
   step(world, 0.01);
-  expect(warnings).toEqual([expect.stringMatching(/"segment walls" was taken out.*replaceBoxWalls/)]);
+  expect(warnings).toEqual([expect.stringMatching(/Put "segment walls" back.*replaceBoxWalls/)]);
 });

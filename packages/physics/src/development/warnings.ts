@@ -115,29 +115,26 @@ function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
     warnOnce(world, {
       message: `bodies pass through every ${component}, because no system of this world runs them.`,
       hint: collides
-        ? `The system "${system}" was taken out of \`world.phases.walls\`: put it back. replaceBoxWalls leaves it there.`
+        ? `Put "${system}" back into \`world.phases.walls\`: replaceBoxWalls leaves it there.`
         : 'Create the world with `preset: particleContacts`.',
     });
   }
 }
 
-/** What only worlds of two dimensions have, and what turns a body in three. */
+/** What only worlds of two dimensions have, and what takes its place in three. */
+const FLAT = [
+  ['SegmentWall', 'Use `planeWall` or boxWalls({ … }).'],
+  ['Rotation', 'Spawn bodies with `orientation: {}`.'],
+] as const;
+
 function warnAboutFlatComponents(world: PhysicsWorld): void {
-  const { SegmentWall, Rotation, AngularVelocity } = world.internal.counts;
   if (world.dimensions === 2) return;
-  if (SegmentWall > 0) {
-    warnOnce(world, {
-      message: 'bodies pass through every SegmentWall, because this world has three dimensions.',
-      hint: 'Use `planeWall` or boxWalls({ … }), or make the world with `dimensions: 2`.',
-    });
+  const { counts } = world.internal;
+  for (const [component, hint] of FLAT) {
+    const message = `${component} has no effect, because this world has three dimensions.`;
+    if (counts[component] > 0) warnOnce(world, { message, hint });
   }
-  if (Rotation > 0) {
-    warnOnce(world, {
-      message: 'Rotation has no effect, because this world has three dimensions.',
-      hint: 'Spawn bodies with `orientation: {}` in place of `rotation`.',
-    });
-  }
-  if (AngularVelocity > 0) warnAboutMissingOrientations(world);
+  if (counts.AngularVelocity > 0) warnAboutMissingOrientations(world);
 }
 
 /** A ball may spin without an orientation for what touches it, or for a force that reads its spin. */
@@ -150,7 +147,7 @@ function warnAboutMissingOrientations(world: PhysicsWorld): void {
   if (body === 0) return;
   const warning = {
     message: `body ${body} has an angular velocity and does not turn, because it has no Orientation.`,
-    hint: 'Spawn it with `orientation: {}` as well.',
+    hint: 'Spawn bodies with `orientation: {}`.',
   };
   warnOnce(world, warning, 'no Orientation');
 }

@@ -122,10 +122,7 @@ export function assertBody(world: PhysicsWorld, eid: number): void {
 
 /** A number above all ids is most often a reference. */
 export function noBody(eid: number): PhysicsError {
-  const hint =
-    typeof eid === 'number' && eid > MAX_CAPACITY
-      ? 'It may be a reference: pass resolve(world, ref), which is its entity id.'
-      : undefined;
+  const hint = typeof eid === 'number' && eid > MAX_CAPACITY ? 'Of a reference pass resolve(world, ref).' : undefined;
   return staleError(eid, `there is no body ${describe(eid)} in this world.`, hint);
 }
 

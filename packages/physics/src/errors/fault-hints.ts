@@ -4,7 +4,7 @@ import type { FaultCode } from './physics-error.ts';
 /** Hints by fault code. */
 export const FAULT_HINTS: Partial<Record<FaultCode, string>> = {
   E_NONFINITE:
-    'Check the code of yours that writes it, such as a force that divides by a zero distance or mass. If there is none, it is a defect of Principia.',
+    'Check your code that writes it, such as a force that divides by zero. If there is none, Principia is wrong.',
   E_RANGE: 'Check the code that writes it, or choose larger units of length.',
   E_SPEED: 'Use a smaller dt, or check the force that accelerates the body.',
 };

@@ -62,8 +62,8 @@ export function defineForce(force: CustomForce): Force {
   for (const [key, value] of Object.entries({ prepare, potential, evaluationWork })) {
     if (value !== undefined) checkFunction(value, `defineForce: ${key}`);
   }
-  for (const component of [...reads, ...(readsOfOthers ?? [])]) {
-    if (!COMPONENT_NAMES.includes(component)) throw unknownName('defineForce', 'component', component, COMPONENT_NAMES);
+  for (const name of [...reads, ...(readsOfOthers ?? [])]) {
+    if (!COMPONENT_NAMES.includes(name)) throw unknownName('defineForce', 'component', name, COMPONENT_NAMES);
   }
   return {
     name,
