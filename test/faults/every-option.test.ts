@@ -40,6 +40,7 @@ const GOOD_IN_WORLD: Record<string, object> = {
   createEmitter: { capacity: 5 },
   explode: { impulse: 1, radius: 1 },
   createRunner: {},
+  replaceBoxWalls: { min: { x: -1 }, max: { x: 1 } },
 };
 
 const folder = 'packages/physics/src';
