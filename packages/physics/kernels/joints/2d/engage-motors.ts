@@ -5,10 +5,10 @@
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { JointImpulses, JointTable, WHEEL, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
-import { JointRow, JointWork, MOTOR_ROW, rowOf, workAt } from './joint-work';
+import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { leaveRest } from './push-axes';
 
 // What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
@@ -31,7 +31,7 @@ export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): v
   const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind);
   if (!has || !(get(t.maxMotor, work.id) > 0) || work.locks >= MOST_LOCKS) return;
   const impulses = impulsesOf(t, work.id);
-  if (work.kind == WHEEL || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
+  if (hasOwnDirection(work) || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
   else if (mostOf(t, rigid, work) < MOST_PUSH) work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
 }
 
@@ -97,7 +97,15 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
 // Whether a limit has locked the direction in which the motor acts.
 // @ts-ignore: decorator
 @inline function isLimited(work: JointWork): bool {
-  return work.limit != 0 && work.kind != WHEEL;
+  return work.limit != 0 && !hasOwnDirection(work);
+}
+
+// Whether a motor acts in another direction than limits do.
+// @ts-ignore: decorator
+@inline function hasOwnDirection(work: JointWork): bool {
+  const motor = rowOf(work, MOTOR_ROW);
+  const limits = rowOf(work, SPRING_ROW);
+  return motor.x != limits.x || motor.y != limits.y;
 }
 
 function lockMotor(t: JointTable, work: JointWork): void {

@@ -2,9 +2,9 @@
 // trees. These joints are solved at once with their trees (close-loops.ts). In a net, which has as many loops as bodies, that would
 // take too long: there they are solved by themselves.
 import { putWord, word } from '../../solver/2d/body';
-import { DISTANCE, JointTable, PRISMATIC, REVOLUTE, WHEEL } from './joint-table';
+import { DISTANCE, JointTable } from './joint-table';
 import { CLOSING, LOOP, setOf } from './joint-trees';
-import { COUPLES, LIMITED, LOCKS, POWERED, ROPE } from './list-active';
+import { COUPLES, HINGE, LIMITED, LOCKS, POWERED, ROPE } from './list-active';
 
 @unmanaged
 export class Mechanism {
@@ -97,15 +97,14 @@ function listClosing(t: JointTable, i: i32): void {
   return (parent == LOOP || parent == CLOSING) && (word(t.roles, i) & (LOCKS | ROPE | COUPLES)) != 0;
 }
 
-// The most directions that a joint locks, with a limit and a motor.
+// The most directions that a joint locks, with a limit and a motor: three, but for those that are many in mechanisms.
 function rowsOf(t: JointTable, i: i32): i32 {
   const kind = <u32>word(t.kind, word(t.active, i));
   const role = word(t.roles, i);
   if ((role & COUPLES) != 0) return 1;
-  const more = ((role & LIMITED) != 0 ? 1 : 0) + ((role & POWERED) != 0 ? 1 : 0);
-  if (kind == WHEEL) return 1 + more;
   // A rod may lock the direction across it, too (brace-rods.ts).
-  return kind == REVOLUTE || kind == PRISMATIC || kind == DISTANCE ? min<i32>(3, 2 + more) : 3;
+  const hasTwo = (role & HINGE) != 0 || kind == DISTANCE;
+  return hasTwo && (role & (LIMITED | POWERED)) == 0 ? 2 : 3;
 }
 
 // What is counted of trees that hang together, in the record of the first of them. The memory is spare while joints are laid out.
