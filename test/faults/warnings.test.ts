@@ -319,6 +319,29 @@ it('says that a body without a position goes nowhere', () => {
   );
 });
 
+it('says when a rod is made longer than its anchors are apart, and by the true distance when limits are left', () => {
+  const { world, messages } = listen({ preset: rigidBodies });
+  const disc = (x: number) => spawn(world, { position: { x }, rotation: 0.3, mass: 1, collider: { radius: 0.1 } });
+  const [a, b] = [disc(0), disc(1)];
+  createJoint(world, distance({ a, b, anchorB: { x: 1.5 } }));
+  createJoint(world, distance({ a, b, length: 3, limits: { upper: 1.2 } }));
+  expect(messages()).toBe('');
+  createJoint(world, distance({ a, b, length: 3 }));
+  expect(messages()).toBe(
+    'a rod of 3 m was made between anchors that are 1 m apart. It is brought to its length at once.',
+  );
+});
+
+it('says that a kinematic body without Rotation does not turn', () => {
+  const { world, messages } = listen({ preset: rigidBodies });
+  spawn(world, { position: {}, rotation: 0, velocity: {}, angularVelocity: 1, collider: { radius: 0.1 } });
+  step(world, 1 / 60);
+  expect(messages()).toBe('');
+  const still = spawn(world, { position: { x: 5 }, velocity: {}, angularVelocity: 1, collider: { radius: 0.1 } });
+  step(world, 1 / 60);
+  expect(messages()).toBe(`body ${still} has an angular velocity and does not turn, because it has no Rotation.`);
+});
+
 it('says when a joint is made beyond its limits, once for each kind', () => {
   const { world, warnings, messages } = listen({ preset: rigidBodies });
   const post = spawn(world, { position: {}, collider: { shape: box(1, 1) } });

@@ -1,12 +1,13 @@
 // Warnings about valid input that is probably a mistake. Each is given once per world. The export condition
 // `production` replaces this file by `no-warnings.ts`.
 import type { ComponentName } from '../components/all.ts';
-import { JOINT_KINDS } from '../components/joint.ts';
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld, Plan, Warning } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
 import { constantsOf, warnAboutForces } from './force-warnings.ts';
+
+export { warnAboutLimits } from './joint-warnings.ts';
 
 /** The default of `world.onWarning`. */
 export function printWarning({ message, hint }: Warning): void {
@@ -37,28 +38,6 @@ export function warnAboutFaults(world: PhysicsWorld, isHandled: boolean): void {
     hint: `${hint} \`on(world, 'fault', handler)\` tells you of each.`.trim(),
   };
   warnOnce(world, warning, 'fault');
-}
-
-/** A joint may begin this far beyond its limits, m or rad: bodies are often placed by eye. */
-const LIMIT_TOLERANCE = 0.05;
-
-/** Warns if a new joint begins beyond its limits: the solver pulls it there at once, and the bodies keep the speed. */
-export function warnAboutLimits(world: PhysicsWorld, joint: Readonly<Record<string, number>>): void {
-  if (joint.hasLimits !== 1) return;
-  const kind = JOINT_KINDS[joint.kind];
-  const isDistance = kind === 'distance';
-  const now = isDistance ? joint.length : 0;
-  const isBelow = now < joint.lower - LIMIT_TOLERANCE;
-  if (!isBelow && now <= joint.upper + LIMIT_TOLERANCE) return;
-  const limit = isBelow ? `less than its lower limit, ${joint.lower}` : `more than its upper limit, ${joint.upper}`;
-  const place = isDistance ? `anchors are ${Number(now.toPrecision(3))} m apart` : 'coordinate is 0';
-  const warning = {
-    message: `a ${kind} joint was made beyond its limits: its ${place}, ${limit}. It is pulled there at once.`,
-    hint: isDistance
-      ? 'Put the bodies where the limits hold before you join them.'
-      : 'The coordinate of a joint is 0 as its bodies are when it is made: let the limits include 0.',
-  };
-  warnOnce(world, warning, `limits of a ${kind} joint`);
 }
 
 /** Warns if a colour given for a body is invisible: the web writes 0xRRGGBB, and such a number has no alpha here. */
@@ -301,6 +280,7 @@ function warnAboutBodiesThatDoNotTurn(world: PhysicsWorld): void {
     };
     warnOnce(world, warning, 'no Inertia');
   }
+  warnAboutKinematicSpin(world);
   const still = firstRow(
     world,
     (id) => (members[id] & (inertia | turning)) === inertia && Inertia.value[id] > 0 && Mass.value[id] > 0,
@@ -311,6 +291,23 @@ function warnAboutBodiesThatDoNotTurn(world: PhysicsWorld): void {
     hint: 'Spawn it with `rotation: 0` and `angularVelocity: 0` as well.',
   };
   warnOnce(world, warning, 'no AngularVelocity');
+}
+
+function warnAboutKinematicSpin(world: PhysicsWorld): void {
+  const { AngularVelocity, Mass } = world.components;
+  const seen = bitOf('Collider') | bitOf('AngularVelocity');
+  const all = seen | bitOf('Rotation');
+  const { members } = world.internal;
+  const still = firstRow(
+    world,
+    (id) => (members[id] & all) === seen && AngularVelocity.z[id] !== 0 && !(Mass.value[id] > 0),
+  );
+  if (still === 0) return;
+  const warning = {
+    message: `body ${still} has an angular velocity and does not turn, because it has no Rotation.`,
+    hint: 'Spawn it with `rotation: 0` as well.',
+  };
+  warnOnce(world, warning, 'no Rotation');
 }
 
 /** A body may press itself into another like it by this part of its radius. */

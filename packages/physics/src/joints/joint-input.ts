@@ -1,5 +1,6 @@
 // Converts the options that all joints share to fields of the component Joint, and validates them.
 import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
+import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 
 /** Bounds of the free coordinate of a joint, m or rad; one that is left out is not there. */
@@ -145,6 +146,7 @@ export function describeJoint(
   for (const name of POINTS) {
     if (options[name] !== undefined || required.includes(name)) checkVector(options[name], `${caller}.${name}`);
   }
+  checkMeaning(caller, options);
   const { a = 0, b, anchor, anchorA = options.target ?? anchor, anchorB = anchor, axis, pulleyA, pulleyB } = options;
   return {
     kind: KINDS[caller],
@@ -157,6 +159,20 @@ export function describeJoint(
     pulleyB,
     fields: fieldsOf(caller, options, required),
   };
+}
+
+/** Refuses an axis without a direction, and ratios that couple nothing. */
+function checkMeaning(caller: string, { axis, ratio }: AllOptions): void {
+  if (axis !== undefined && (axis.x ?? 0) === 0 && (axis.y ?? 0) === 0)
+    throw new PhysicsError('E_RANGE', `${caller}.axis must have a direction, and its x and y are 0.`, {
+      field: `${caller}.axis`,
+    });
+  if (ratio === 0 || (caller === 'pulley' && ratio !== undefined && ratio < 0))
+    throw new PhysicsError(
+      'E_RANGE',
+      `${caller}.ratio must be ${caller === 'pulley' ? 'above' : 'other than'} 0, got ${ratio}.`,
+      { field: `${caller}.ratio` },
+    );
 }
 
 function fieldsOf(

@@ -7,10 +7,12 @@ import {
   distance,
   endedJoints,
   energy,
+  gear,
   isBody,
   type JointInput,
   jointForce,
   prismatic,
+  pulley,
   revolute,
   softStep,
   spawn,
@@ -291,6 +293,9 @@ test('a faulty joint is refused and changes nothing', () => {
     [() => revolute({ a: b, b, anchor: {} }), 'E_RANGE'],
     [() => revolute({ a, b, anchor: {}, limits: { lower: 1, upper: -1 } }), 'E_RANGE'],
     [() => distance({ a, b, length: -1 }), 'E_RANGE'],
+    [() => prismatic({ a, b, anchor: {}, axis: {} }), 'E_RANGE'],
+    [() => gear({ a, b, ratio: 0 }), 'E_RANGE'],
+    [() => pulley({ a, b, pulleyA: {}, pulleyB: {}, ratio: -1 }), 'E_RANGE'],
     [() => weld({ a, b, anchor: { x: Number.NaN } }), 'E_NONFINITE'],
   ];
   for (const [make, code] of faulty)
