@@ -46,5 +46,5 @@ function anchorDistance({ components }: PhysicsWorld, joint: Readonly<Record<str
   };
   const [ax, ay] = place(joint.a ?? 0, joint.ax, joint.ay);
   const [bx, by] = place(joint.b, joint.bx, joint.by);
-  return Math.sqrt((bx - ax) ** 2 + (by - ay) ** 2);
+  return Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
 }
