@@ -34,7 +34,7 @@ export const bundles = [
     name: 'rigid bodies in 2D',
     title: 'rigid bodies in 2D: shapes, joints, events, queries, walls',
     imports: rigid,
-    limits: [189.4, 129.5],
+    limits: [189.6, 129.6],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [339.5, 242.2] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [339.7, 242.3] },
 ];

@@ -1,7 +1,7 @@
 // Limits of hinges that bodies hang on: they stop what turns, and give it nothing.
-import { box, createJoint, energy, revolute, spawn, step } from '@principia/physics';
+import { asleepCount, box, createJoint, energy, revolute, spawn, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { DT, rigidWorld } from '../../../../test/support/rigid-world.ts';
+import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 type Column = Float32Array | Float64Array;
 
@@ -72,5 +72,27 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     // A limit is met within the sub-step, and what is left is how far the bodies fall in one, g h², times levers. Under loads a
     // thousand times as heavy as the body it holds, it may be one sub-step late.
     expect(passed).toBeLessThan(name.includes('heaviest') ? (fastest * DT) / 4 : 0.005);
+  });
+});
+
+describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
+  it('three rods that lie on the ground with joints at their limits come to rest and sleep', () => {
+    for (let pose = 0; pose < 24; pose++) {
+      const world = rigidWorld({ precision });
+      spawn(world, { planeWall: { friction: 0.6 } });
+      const rods = [0, 1, 2].map((i) => {
+        const angle = (pose * Math.PI) / 12 + (i * 2 * Math.PI) / 3;
+        return spawn(world, {
+          position: { x: 0.25 * Math.cos(angle), y: 2 + 0.25 * Math.sin(angle) },
+          rotation: angle,
+          mass: 5,
+          collider: { shape: box(0.5, 0.1), friction: 0.6, group: -1 },
+        });
+      });
+      const limits = { lower: -0.5, upper: 0.5 };
+      for (const b of rods.slice(1)) createJoint(world, revolute({ a: rods[0], b, anchor: { y: 2 }, limits }));
+      run(world, 15);
+      expect(asleepCount(world), `pose ${pose}`).toBe(3);
+    }
   });
 });

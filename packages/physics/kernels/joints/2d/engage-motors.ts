@@ -67,11 +67,15 @@ export function predictMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const before = impulsesOf(t, work.id).motor;
   const most = mostOf(t, rigid, work);
   const excess = excessOf(t, rigid, work);
-  const isSpent = abs<f64>(before) >= most && before * excess < 0;
+  const isSpent = abs<f64>(before) >= most && before * excess < SLOW * most;
   const wanted = before - excess / coupling(work, row, row);
-  if (isSpent || (abs<f64>(before) < most && abs<f64>(wanted) > most))
-    work.motor = excess < 0 ? PUSHES_UP : PUSHES_DOWN;
+  if (isSpent) work.motor = before > 0 ? PUSHES_UP : PUSHES_DOWN;
+  else if (abs<f64>(before) < most && abs<f64>(wanted) > most) work.motor = excess < 0 ? PUSHES_UP : PUSHES_DOWN;
 }
+
+// One that is faster than it should be by less than this, m/s or rad/s, goes on to push, and holds at the end of the sub-step if it still
+// is (`exchangeMotors`): brakes in a heap, which contacts hold as well, would take turns with these for ever.
+const SLOW: f64 = 0.05;
 
 // Takes back what it exerted in the last sub-step.
 export function takeBackMotor(t: JointTable, rigid: RigidTable, k: i32): void {
