@@ -127,26 +127,38 @@ function listLock(t: JointTable, mechanism: Mechanism, work: JointWork, p: i32, 
   to.compliance = COMPLIANCE * to.inverseMass + (p < work.locks ? 0 : work.acrossInverse);
 }
 
-// A gear, or a pulley whose rope is taut.
+// A gear or a pulley. A rope that is slack is a direction in which nothing moves: matrices keep their size until they are made again.
 function listCoupling(t: JointTable, rigid: RigidTable, mechanism: Mechanism, work: JointWork, bias: f64): void {
-  if (work.kind == PULLEY && work.limit == 0) return;
   const p = rowOf(work, ROW_A);
   const q = rowOf(work, ROW_B);
   const to = startRow(t, mechanism, work, q, bias);
+  const impulses = changetype<usize>(impulsesOf(t, work.id));
+  to.impulse = impulses + (work.kind == GEAR ? offsetof<JointImpulses>('lock0') : offsetof<JointImpulses>('upper'));
+  if (work.kind == PULLEY && work.limit == 0) return clearDirection(to);
   to.ax = p.x;
   to.ay = p.y;
   to.aw = p.armA;
   to.bx = q.x;
   to.by = q.y;
   to.bw = q.armB;
-  const impulses = changetype<usize>(impulsesOf(t, work.id));
-  to.impulse = impulses + (work.kind == GEAR ? offsetof<JointImpulses>('lock0') : offsetof<JointImpulses>('upper'));
   to.inverseMass = inverseMassOf(work);
   to.compliance = COMPLIANCE * to.inverseMass;
   const a = stateOf(rigid, work.a);
   const b = stateOf(rigid, work.b);
   if (to.a == 0) to.wanted += p.x * <f64>a.vx + p.y * <f64>a.vy + p.armA * <f64>a.w;
   if (to.b == 0) to.wanted += q.x * <f64>b.vx + q.y * <f64>b.vy + q.armB * <f64>b.w;
+}
+
+function clearDirection(row: LoopRow): void {
+  row.ax = 0;
+  row.ay = 0;
+  row.aw = 0;
+  row.bx = 0;
+  row.by = 0;
+  row.bw = 0;
+  row.inverseMass = 0;
+  row.compliance = 0;
+  row.wanted = 0;
 }
 
 function startRow(t: JointTable, mechanism: Mechanism, work: JointWork, row: JointRow, bias: f64): LoopRow {

@@ -5,7 +5,7 @@
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { DISTANCE, JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
@@ -29,7 +29,8 @@ export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): v
   work.motorLock = -1;
   work.push = 0;
   const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind);
-  if (!has || !(get(t.maxMotor, work.id) > 0) || work.locks >= MOST_LOCKS) return;
+  const isRigid = work.locks >= MOST_LOCKS || (work.kind == DISTANCE && work.locks > 0);
+  if (!has || isRigid || !(get(t.maxMotor, work.id) > 0)) return;
   const impulses = impulsesOf(t, work.id);
   if (hasOwnDirection(work) || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
   else if (mostOf(t, rigid, work) < MOST_PUSH) work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
