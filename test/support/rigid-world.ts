@@ -1,5 +1,6 @@
 // A world of rigid bodies as most of their tests use it.
 import {
+  box,
   circle,
   createPhysicsWorld,
   type PhysicsWorld,
@@ -43,4 +44,18 @@ export function disc(world: PhysicsWorld, options: Disc): number {
   const { x = 0, y = 0, vx = 0, vy = 0, mass = 1, radius = 0.5, restitution = 1, friction = 0 } = options;
   const collider = { shape: circle(radius), restitution, friction };
   return spawn(world, { position: { x, y }, velocity: { x: vx, y: vy }, mass, collider });
+}
+
+/** A point, m. */
+export type Point = readonly [x: number, y: number];
+
+/** A bar of the width 0.1 m between two points, which collides with nothing. */
+export function addBar(world: PhysicsWorld, [x, y]: Point, [toX, toY]: Point, mass: number, more: object = {}): number {
+  const length = Math.hypot(toX - x, toY - y);
+  return spawn(world, {
+    position: { x: (x + toX) / 2, y: (y + toY) / 2 },
+    rotation: Math.atan2(toY - y, toX - x),
+    collider: { shape: box(length, 0.1), density: mass / (0.1 * length), mask: 0 },
+    ...more,
+  });
 }

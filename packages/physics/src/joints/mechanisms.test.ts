@@ -14,20 +14,7 @@ import {
   wheel,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
-
-type Point = readonly [x: number, y: number];
-
-/** A bar of the width 0.1 m between two points, which collides with nothing. */
-function addBar(world: PhysicsWorld, [x, y]: Point, [toX, toY]: Point, mass: number, more: object = {}): number {
-  const length = Math.hypot(toX - x, toY - y);
-  return spawn(world, {
-    position: { x: (x + toX) / 2, y: (y + toY) / 2 },
-    rotation: Math.atan2(toY - y, toX - x),
-    collider: { shape: box(length, 0.1), density: mass / (0.1 * length), mask: 0 },
-    ...more,
-  });
-}
+import { addBar, DT, G, type Point, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 /** A truss of equilateral triangles on a hinge and a roller, with a load at the middle of its lower edge. */
 function addTruss(world: PhysicsWorld, bays: number, barMass: number, load: number) {

@@ -17,7 +17,7 @@ import {
   wheel,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
-import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
+import { addBar, DT, G, type Point, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 const awake = softStep({ sleepTime: 0 });
 
@@ -124,23 +124,15 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
 
   test('a crank turns a four-bar linkage at the speed of its motor', () => {
     const world = rigidWorld({ precision, forces: [], integrator: awake });
-    const bar = (x0: number, y0: number, x1: number, y1: number) => {
-      const length = Math.hypot(x1 - x0, y1 - y0);
-      return spawn(world, {
-        position: { x: (x0 + x1) / 2, y: (y0 + y1) / 2 },
-        rotation: Math.atan2(y1 - y0, x1 - x0),
-        collider: { shape: box(length, 0.1), density: 10 / length, mask: 0 },
-      });
-    };
     // The shortest and the longest bar are together shorter than the two others: Grashof's crank.
-    const [p, q] = [
-      { x: 0, y: 0.5 },
-      { x: 2, y: 1.5 },
+    const [p, q]: Point[] = [
+      [0, 0.5],
+      [2, 1.5],
     ];
-    const [crank, coupler, rocker] = [bar(0, 0, p.x, p.y), bar(p.x, p.y, q.x, q.y), bar(2, 0, q.x, q.y)];
+    const [crank, coupler, rocker] = [addBar(world, [0, 0], p, 1), addBar(world, p, q, 1), addBar(world, [2, 0], q, 1)];
     createJoint(world, revolute({ b: crank, anchor: {}, motor: { speed: 20, max: 3000 } }));
-    createJoint(world, revolute({ a: crank, b: coupler, anchor: p }));
-    createJoint(world, revolute({ a: coupler, b: rocker, anchor: q }));
+    createJoint(world, revolute({ a: crank, b: coupler, anchor: { x: p[0], y: p[1] } }));
+    createJoint(world, revolute({ a: coupler, b: rocker, anchor: { x: q[0], y: q[1] } }));
     createJoint(world, revolute({ b: rocker, anchor: { x: 2 } }));
     run(world, 1);
     const { z } = world.components.AngularVelocity;

@@ -54,6 +54,15 @@ export const ARTICULATED_MASS_SIZE: usize = offsetof<ArticulatedMass>();
   to.m22 += body.inertia;
 }
 
+// Adds an impulse to the momentum of a body of a tree; `at` is 0 for one that joints do not move.
+export function pushBody(at: usize, x: f64, y: f64, turn: f64): void {
+  if (at == 0) return;
+  const body = changetype<ArticulatedBody>(at);
+  body.gx += x;
+  body.gy += y;
+  body.gw += turn;
+}
+
 // Turns the momentum of a body with the velocity (vx, vy, w) and of what hangs below it into the velocity that it gets, with
 // the inverse of its matrix, and makes it ready for the next.
 export function freeVelocity(body: ArticulatedBody, to: ArticulatedMass, vx: f64, vy: f64, w: f64): void {

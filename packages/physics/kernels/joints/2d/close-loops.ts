@@ -12,7 +12,7 @@
 import { stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { ArticulatedBody } from './articulated-body';
+import { ArticulatedBody, pushBody } from './articulated-body';
 import { ACROSS, notePull } from './brace-rods';
 import { coupling, finite } from './joint-rows';
 import { DISTANCE, GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
@@ -184,17 +184,8 @@ function startRow(t: JointTable, mechanism: Mechanism, work: JointWork, row: Joi
 
 // Adds an impulse along a direction to what hangs on both bodies.
 function push(row: LoopRow, impulse: f64): void {
-  if (row.a != 0) {
-    const a = changetype<ArticulatedBody>(row.a);
-    a.gx += impulse * row.ax;
-    a.gy += impulse * row.ay;
-    a.gw += impulse * row.aw;
-  }
-  if (row.b == 0) return;
-  const b = changetype<ArticulatedBody>(row.b);
-  b.gx += impulse * row.bx;
-  b.gy += impulse * row.by;
-  b.gw += impulse * row.bw;
+  pushBody(row.a, impulse * row.ax, impulse * row.ay, impulse * row.aw);
+  pushBody(row.b, impulse * row.bx, impulse * row.by, impulse * row.bw);
 }
 
 // Makes the matrix L T + E by one impulse along each direction, and factors it. A direction in which nothing can move has no impulse.

@@ -15,7 +15,7 @@ import { softness } from '../../solver/2d/softness';
 import { GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
-import { applyAlong, speedAlong, stateA, stateB } from './joint-rows';
+import { addLock, applyAlong, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { exertCoupling, speedOfCoupling } from './solve-couplings';
 
 // Which limit of a joint bears: that below, that above, or both, where they leave no room between them.
@@ -120,14 +120,7 @@ function lock(work: JointWork, from: JointRow, side: i32, error: f64): void {
     from.error = error;
     return;
   }
-  work.limitLock = work.locks;
-  const to = rowOf(work, work.locks++);
-  to.x = from.x;
-  to.y = from.y;
-  to.armA = from.armA;
-  to.armB = from.armB;
-  to.error = error;
-  to.chord = from.chord;
+  work.limitLock = addLock(work, from, error, from.chord);
 }
 
 // Takes back what a gear and the limits of a joint exerted in the last sub-step, as what locked directions did.
@@ -166,12 +159,9 @@ export function settleLimit(t: JointTable, work: JointWork): void {
 
 function unlock(t: JointTable, work: JointWork): void {
   work.limit = 0;
-  if (work.kind == PULLEY) {
-    impulsesOf(t, work.id).upper = 0;
-    return;
-  }
-  memory.fill(changetype<usize>(rowOf(work, work.limitLock)), 0, offsetof<JointRow>());
-  store<f64>(lockAddress(impulsesOf(t, work.id), work.limitLock), 0);
+  const impulses = impulsesOf(t, work.id);
+  if (work.kind == PULLEY) impulses.upper = 0;
+  else removeLock(work, impulses, work.limitLock);
 }
 
 // What pushed in the last sub-step from the lower limit; a rope does so by its tension.

@@ -7,8 +7,8 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { DISTANCE, JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
-import { applyAlong, coupling, speedAlong, stateA, stateB } from './joint-rows';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
+import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { leaveRest } from './push-axes';
 
 // What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
@@ -114,15 +114,7 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
 }
 
 function lockMotor(t: JointTable, work: JointWork): void {
-  const from = rowOf(work, MOTOR_ROW);
-  work.motorLock = work.locks;
-  const to = rowOf(work, work.locks++);
-  to.x = from.x;
-  to.y = from.y;
-  to.armA = from.armA;
-  to.armB = from.armB;
-  to.error = 0;
-  to.chord = -(<f64>get(t.motorSpeed, work.id));
+  work.motorLock = addLock(work, rowOf(work, MOTOR_ROW), 0, -(<f64>get(t.motorSpeed, work.id)));
   impulsesOf(t, work.id).motor = 0;
 }
 
@@ -162,8 +154,7 @@ function overtake(t: JointTable, rigid: RigidTable, work: JointWork, pushed: f64
 }
 
 function unlockMotor(t: JointTable, work: JointWork): void {
-  memory.fill(changetype<usize>(rowOf(work, work.motorLock)), 0, offsetof<JointRow>());
-  store<f64>(lockAddress(impulsesOf(t, work.id), work.motorLock), 0);
+  removeLock(work, impulsesOf(t, work.id), work.motorLock);
   work.motorLock = -1;
 }
 

@@ -1,6 +1,7 @@
 // Speed and impulse along a row of a joint.
 import { BodyState, stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { JointImpulses, lockAddress } from './joint-table';
 import { JointRow, JointWork, rowOf } from './joint-work';
 
 export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
@@ -62,4 +63,22 @@ const MAX_IMPULSE: f64 = 1e30;
 // @ts-ignore: decorator
 @inline export function finiteVector(impulse: v128): v128 {
   return v128.and(impulse, f64x2.lt(f64x2.abs(impulse), f64x2.splat(MAX_IMPULSE)));
+}
+
+// Makes a direction of a joint one of its locked ones for this sub-step, as a limit or a motor does. Returns its number.
+export function addLock(work: JointWork, from: JointRow, error: f64, chord: f64): i32 {
+  const to = rowOf(work, work.locks);
+  to.x = from.x;
+  to.y = from.y;
+  to.armA = from.armA;
+  to.armB = from.armB;
+  to.error = error;
+  to.chord = chord;
+  return work.locks++;
+}
+
+// Takes it out again. Its row stays, without a direction.
+export function removeLock(work: JointWork, impulses: JointImpulses, lock: i32): void {
+  memory.fill(changetype<usize>(rowOf(work, lock)), 0, offsetof<JointRow>());
+  store<f64>(lockAddress(impulses, lock), 0);
 }

@@ -93,8 +93,7 @@ function listClosing(t: JointTable, i: i32): void {
 // Whether a joint closes a loop or couples bodies.
 // @ts-ignore: decorator
 @inline function canClose(t: JointTable, i: i32): bool {
-  const parent = word(t.parents, i);
-  return (parent == LOOP || parent == CLOSING) && (word(t.roles, i) & (LOCKS | ROPE | COUPLES)) != 0;
+  return word(t.parents, i) == LOOP && (word(t.roles, i) & (LOCKS | ROPE | COUPLES)) != 0;
 }
 
 // The most directions that a joint locks, with a limit and a motor: three, but for those that are many in mechanisms.

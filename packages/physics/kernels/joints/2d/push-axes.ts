@@ -4,7 +4,7 @@
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { ArticulatedBody } from './articulated-body';
+import { pushBody } from './articulated-body';
 import { JointTable, impulsesOf, isSolvedApart } from './joint-table';
 import { LOOP, treeBody } from './joint-trees';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
@@ -34,14 +34,6 @@ export function pushAxes(t: JointTable, k: i32): void {
 }
 
 function pushAlong(t: JointTable, work: JointWork, row: JointRow, impulse: f64): void {
-  add(treeBody(t, work.a), -impulse * row.x, -impulse * row.y, -impulse * row.armA);
-  add(treeBody(t, work.b), impulse * row.x, impulse * row.y, impulse * row.armB);
-}
-
-function add(at: usize, x: f64, y: f64, turn: f64): void {
-  if (at == 0) return;
-  const body = changetype<ArticulatedBody>(at);
-  body.gx += x;
-  body.gy += y;
-  body.gw += turn;
+  pushBody(treeBody(t, work.a), -impulse * row.x, -impulse * row.y, -impulse * row.armA);
+  pushBody(treeBody(t, work.b), impulse * row.x, impulse * row.y, impulse * row.armB);
 }

@@ -153,8 +153,8 @@ export function passJoint(t: JointTable, rigid: RigidTable, k: i32): void {
   if (at.below != 0) follow(stateOf(rigid, at.childRow), changetype<ArticulatedBody>(at.below), at.turns != 0);
 }
 
-// @ts-ignore: decorator
-@inline function pullChild(t: JointTable, at: JointPlace, work: JointWork): void {
+// The same for the velocity in the tree alone, which the state of the child does not follow.
+export function pullChild(t: JointTable, at: JointPlace, work: JointWork): void {
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
@@ -170,7 +170,7 @@ export function passJoint(t: JointTable, rigid: RigidTable, k: i32): void {
   pull(body, massBeside(t, at.below), work, -r0.value, -r1.value, -r2.value);
 }
 
-// The same as `gatherJoint` and `passJoint` for a tree at rest, on whose bodies impulses act.
+// The same as `gatherJoint` for a tree at rest, on whose bodies impulses act.
 export function gatherResponse(t: JointTable, at: JointPlace, work: JointWork): void {
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
@@ -185,10 +185,6 @@ export function gatherResponse(t: JointTable, at: JointPlace, work: JointWork): 
   r1.value = motion(body, r1, childArm(work, r1));
   r2.value = motion(body, r2, childArm(work, r2));
   load(changetype<ArticulatedBody>(at.above), work);
-}
-
-export function passResponse(t: JointTable, at: JointPlace, work: JointWork): void {
-  pullChild(t, at, work);
 }
 
 // Adds W Jᵀ y to the velocity of the child.

@@ -35,23 +35,28 @@ export function solveLocks(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   softenJoint(rigid);
-  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
+  if (t.otherCount > 0) engageAll(t, rigid);
+  solveAll(t, rigid, softness.biasRate, true, true);
+  solveLoops(t);
+}
+
+// Which limits bear and which motors hold in this sub-step. What joints exerted in the last one is known before, and taken back.
+function engageAll(t: JointTable, rigid: RigidTable): void {
+  for (let k = 0; k < t.closedCount; k++) {
     predictLimits(t, rigid, k);
     predictMotor(t, rigid, k);
   }
-  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
+  for (let k = 0; k < t.closedCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     applyImpulses(t, rigid, k, -1);
     takeBackLimits(t, rigid, k);
     takeBackMotor(t, rigid, k);
     bearSpring(t, rigid, k);
   }
-  for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) {
+  for (let k = 0; k < t.closedCount; k++) {
     engageLimit(t, rigid, k);
     engageMotor(t, rigid, k);
   }
-  solveAll(t, rigid, softness.biasRate, true, true);
-  solveLoops(t);
 }
 
 // Takes back the speed at which joints pulled, and ends the sub-step: the largest forces are kept.

@@ -8,7 +8,7 @@ import { JointTable } from './joint-table';
 import { placeAt, startAt, workAt } from './joint-work';
 import { jointsOfTree } from './list-by-tree';
 import { pushAxes } from './push-axes';
-import { gatherJoint, gatherResponse, passJoint, passResponse } from './row-locks';
+import { gatherJoint, gatherResponse, passJoint, pullChild } from './row-locks';
 
 // From the ends: what the root bears, with the matrices that there are.
 export function gatherTree(t: JointTable, rigid: RigidTable, tree: i32, bias: f64, soft: bool): void {
@@ -50,7 +50,7 @@ export function respond(t: JointTable, tree: i32): void {
     const k = word(t.treeJoints, first + i);
     const at = placeAt(t, k);
     if (at.hinge != 0) passHingeResponse(at);
-    else passResponse(t, at, workAt(t, k));
+    else pullChild(t, at, workAt(t, k));
   }
 }
 
