@@ -30,6 +30,7 @@ export { scaleJointImpulses } from '../joints/2d/scale-impulses';
 export { listContactEvents } from '../solver/2d/contact-events';
 export { stopFastBodies } from '../solver/2d/continuous';
 export { islandAt, labelIslands, updateSleep } from '../solver/2d/islands';
+export { endLandings, slowLandings } from '../impacts/2d/landings';
 export { applyRestitution } from '../impacts/2d/restitution';
 export { hasNewCollisions, listJoints } from '../joints/2d/list-joints';
 export { prepareJoints } from '../joints/2d/prepare-joints';

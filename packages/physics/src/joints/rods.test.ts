@@ -13,7 +13,7 @@ import {
   step,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { DT, G, rigidWorld } from '../../../../test/support/rigid-world.ts';
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 type Kind = 'rods' | 'ropes';
 type Precision = 'f32' | 'f64';
@@ -81,6 +81,16 @@ function swing(precision: Precision, kind: Kind, count: number, substeps: number
 }
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
+  it.each([1, 5])('a rope that is too long does not stop what comes back at %d m/s', (speed) => {
+    const world = rigidWorld({ precision, forces: [] });
+    const post = spawn(world, { position: {}, collider: { radius: 0.1 } });
+    const b = spawn(world, { position: { x: 2.05 }, velocity: { x: -speed }, mass: 10, collider: { radius: 0.1 } });
+    createJoint(world, distance({ a: post, b, limits: { upper: 2 } }));
+    run(world, DT);
+    // It only pulls, and nothing else acts.
+    expect(world.components.Velocity.x[b]).toBeCloseTo(-speed, 5);
+  });
+
   it.each([
     ['rods', 0.1, 100],
     ['rods', 0.1, 1000],

@@ -175,6 +175,7 @@ function advance(
     if (s === 0 || !isSteady) evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
     if (crowded) kernels.measureCrowds(at);
+    if (joints !== 0 && s === 0) kernels.slowLandings(at);
     if (joints !== 0) kernels.startJoints(joints);
     kernels.warmStartContacts(at);
     kernels.holdLocked(at);
@@ -190,7 +191,8 @@ function advance(
     if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
   }
   // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
-  if (kernels.applyRestitution(at) > 0 && joints !== 0) kernels.relaxLocks(joints);
+  const bounced = kernels.applyRestitution(at) > 0;
+  if (joints !== 0 && (kernels.endLandings(at) > 0 || bounced)) kernels.relaxLocks(joints);
   if (crowded) kernels.endCrowds(at);
   kernels.holdLocked(at);
   kernels.storeImpulses(at);

@@ -3,7 +3,7 @@ import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid
 import { get, put } from '../../memory/columns';
 import { flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
-import { blockAt, contactOf, laneAt, pointAt } from '../../solver/2d/contact-place';
+import { blockAt, contactOf, laneAt, pointAt, separationAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, impactAt, pointOf } from './impact';
 import { memberOf, treeOf, weighTrees } from './impact-trees';
@@ -21,6 +21,8 @@ export function addImpact(t: RigidTable, place: i32): i32 {
   const i = t.impactCount;
   if (i == t.impactCapacity || word(t.impactOf, place) == HELD) return -1;
   readImpact(t, impactAt(t, i), place);
+  // What bounces does so after the last sub-step.
+  if (t.isLanding != 0 && impactAt(t, i).restitution != 0) return -1;
   if (!weighTrees(t, impactAt(t, i))) {
     putWord(t.impactOf, place, HELD);
     return -1;
@@ -45,6 +47,7 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
   impact.groupB = memberOf(t, impact.rowB, impact.treeB, 0);
   impact.place = place;
   impact.listed = 0;
+  impact.held = 0;
   impact.count = contact.count;
   impact.nx = get(at + block.NX, l);
   impact.ny = get(at + block.NY, l);
@@ -63,6 +66,7 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
     point.leverA = get(p + block.NORMAL_LEVER_A, l);
     point.leverB = get(p + block.NORMAL_LEVER_B, l);
     point.mass = get(p + block.NORMAL_MASS, l);
+    point.ownMass = point.mass;
     point.tangentLeverA = get(p + block.TANGENT_LEVER_A, l);
     point.tangentLeverB = get(p + block.TANGENT_LEVER_B, l);
     point.tangentMass = get(p + block.TANGENT_MASS, l);
@@ -70,6 +74,7 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
     point.given = 0;
     point.tangentImpulse = 0;
     point.taken = 0;
+    point.room = t.isLanding != 0 ? max<real>(0, separationAt(at, p, l)) / <real>t.dt : <real>0;
   }
   impact.coupling = contact.count > 1 ? couplingOf(impact) : <real>0;
 }
@@ -95,6 +100,7 @@ export function storeImpact(t: RigidTable, impact: Impact): void {
     if (change == 0) continue;
     const p = pointAt(t, impact.place, i);
     put(p + block.TOTAL_IMPULSE, l, get(p + block.TOTAL_IMPULSE, l) + change);
+    put(p + block.TOTAL_TANGENT_IMPULSE, l, get(p + block.TOTAL_TANGENT_IMPULSE, l) + point.tangentImpulse);
     const most = GROWTH * contactPointOf(contact, i).normalImpulse + LEAST_GROWTH * point.mass;
     const impulse = get(p + block.NORMAL_IMPULSE, l);
     if (impulse > most) part = min<real>(part, most / impulse);

@@ -5,20 +5,12 @@
 // Source: Smith et al., Reflections on Simultaneous Impact (SIGGRAPH 2012), section 4.
 import { get, put } from '../../memory/columns';
 import { putWord, word } from '../../solver/2d/body';
-import { isTouching } from '../../solver/2d/contact-place';
+import { isTouching, willMeet } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { firstEdge, nextEdge, visit } from './contact-edges';
-import {
-  Impact,
-  applyTangentImpulse,
-  impactAt,
-  pointOf,
-  applyNormalImpulse,
-  tangentSpeedAt,
-  normalSpeedAt,
-} from './impact';
+import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, tangentSpeedAt, excessAt } from './impact';
 import { addImpact } from './impact-list';
-import { memberOf, othersIn, projectImpact, projectImpacts, projectStruck } from './impact-trees';
+import { lockJoints, memberOf, othersIn, projectImpact, projectImpacts, projectStruck } from './impact-trees';
 import { stop } from './stop-impact';
 
 // Contacts that approach faster than this part of the fastest of the same bodies are thrown back with it.
@@ -35,12 +27,9 @@ const LAST_SOLVED: real = 0.02;
 const COUPLED_PASSES: i32 = 4;
 // Passes of friction over what was struck.
 const FRICTION_PASSES: i32 = 2;
-// Contacts that approach more slowly are at rest, m/s.
-const AT_REST: real = 1e-3;
 
-// Lets what approaches in the list of impacts bounce; and what closes because that moves.
-export function bounceInRounds(t: RigidTable): void {
-  const slowest = max<real>(<real>t.restitutionThreshold, AT_REST);
+// Lets what approaches in the list of impacts faster than `slowest` bounce; and what closes because that moves.
+export function bounceInRounds(t: RigidTable, slowest: real): void {
   t.approachingCount = 0;
   t.pass = 0;
   for (let i = 0; i < t.impactCount; i++) addApproaching(t, i);
@@ -95,8 +84,9 @@ function findFastest(t: RigidTable, slowest: real): void {
 // The speed at which the points of a contact approach, at least 0, m/s.
 function approachOf(impact: Impact): real {
   let fastest: real = 0;
+  if (impact.held != 0) return 0;
   for (let i = 0; i < impact.count; i++) {
-    const approach = -normalSpeedAt(impact, pointOf(impact, i));
+    const approach = excessAt(impact, pointOf(impact, i));
     if (approach > fastest) fastest = approach;
   }
   return fastest;
@@ -178,6 +168,7 @@ function throwBack(impact: Impact): void {
 // Lists the contacts of a body, and of all that bounces with it, that close faster than `slowest`.
 function reachGroup(t: RigidTable, row: i32, tree: i32, group: i32, round: i32, slowest: real): void {
   if (!visit(t, group, round)) return;
+  if (tree >= 0 && t.isLanding != 0) lockJoints(t, tree, slowest);
   for (let i = othersIn(t, tree); i >= 0; i--) reachBody(t, memberOf(t, row, tree, i), slowest);
 }
 
@@ -186,7 +177,10 @@ function reachBody(t: RigidTable, row: i32, slowest: real): void {
   for (let edge = firstEdge(t, row); edge >= 0; edge = nextEdge(t, edge)) {
     const place = edge >> 1;
     const known = word(t.impactOf, place) - 1;
-    const i = known < 0 && isTouching(t, place) ? addImpact(t, place) : known;
+    const i =
+      known < 0 && (t.isLanding != 0 ? willMeet(t, place, slowest) : isTouching(t, place))
+        ? addImpact(t, place)
+        : known;
     if (i >= 0 && impactAt(t, i).listed == 0 && approachOf(impactAt(t, i)) > slowest) addApproaching(t, i);
   }
 }

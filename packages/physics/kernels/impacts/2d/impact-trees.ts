@@ -1,8 +1,19 @@
 // Impacts at bodies that joints hold: what pushes one pushes its whole tree.
+import { get } from '../../memory/columns';
+import { lockStruck, unlockStruck } from '../../joints/2d/impact-locks';
 import { JointTable } from '../../joints/2d/joint-table';
 import { bodyOfTree, jointsOfTree, treeOfRow } from '../../joints/2d/list-by-tree';
-import { projectTree, projectTreeOnce, startProjections, startRound } from '../../joints/2d/project-trees';
+import {
+  foreseeProjections,
+  projectAgain,
+  projectTree,
+  projectTreeOnce,
+  startProjections,
+  startRound,
+} from '../../joints/2d/project-trees';
 import { word } from '../../solver/2d/body';
+import * as block from '../../solver/2d/contact-block';
+import { blockAt, contactOf, laneAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, ImpactPoint, applyNormalImpulse, impactAt, normalSpeedAt, pointOf } from './impact';
 
@@ -13,6 +24,9 @@ const MOST_JOINTS: i32 = 64;
 // Points that joints let move apart by less than this part of what they would without joints are held.
 const LEAST_MOTION: real = 1e-4;
 
+// The part of a contact's motion that joints must hold back before they count.
+const LEAST_SHARE: real = 0.2;
+
 // @ts-ignore: decorator
 @inline function jointsOf(t: RigidTable): JointTable {
   return changetype<JointTable>(t.joints);
@@ -20,7 +34,34 @@ const LEAST_MOTION: real = 1e-4;
 
 // Makes the joints ready for impacts.
 export function startTrees(t: RigidTable): void {
-  if (t.joints != 0) startProjections(jointsOf(t), t);
+  if (t.joints == 0) return;
+  startProjections(jointsOf(t), t);
+}
+
+// The same before the first sub-step.
+export function foreseeTrees(t: RigidTable): void {
+  foreseeProjections(jointsOf(t), t);
+}
+
+// Ends landings before the first sub-step, which makes the matrices of joints again. Returns whether any were locked.
+export function unlockTrees(t: RigidTable): bool {
+  return unlockStruck(jointsOf(t));
+}
+
+// The same after the last sub-step.
+export function endTrees(t: RigidTable): void {
+  if (unlockTrees(t)) startProjections(jointsOf(t), t);
+}
+
+// Locks the limits and motors of a tree that an impact strikes. What they bear counts in all impacts at the tree from now on.
+export function lockJoints(t: RigidTable, tree: i32, slowest: real): bool {
+  if (!lockStruck(jointsOf(t), t, tree, <f64>slowest)) return false;
+  projectAgain(jointsOf(t), t, tree);
+  for (let i = 0; i < t.impactCount; i++) {
+    const impact = impactAt(t, i);
+    if (impact.treeA == tree || impact.treeB == tree) impact.held = weighTrees(t, impact) ? 0 : 1;
+  }
+  return true;
 }
 
 // The number of the tree with which a body bounces, or -1; `row` is 0 for what contacts do not push.
@@ -28,6 +69,43 @@ export function treeOf(t: RigidTable, row: i32): i32 {
   if (t.joints == 0 || row == 0) return -1;
   const tree = treeOfRow(jointsOf(t), row);
   return tree >= 0 && jointsOfTree(jointsOf(t), tree) <= MOST_JOINTS ? tree : -1;
+}
+
+// Whether what joints hold to the bodies of a contact may weigh in an impact: not where these are heavy against what hits them.
+export function isJointed(t: RigidTable, place: i32): bool {
+  const contact = contactOf(t, place);
+  const isInTreeA = treeOf(t, contact.bodyA) >= 0;
+  const isInTreeB = treeOf(t, contact.bodyB) >= 0;
+  if (!isInTreeA && !isInTreeB) return false;
+  const at = blockAt(t, place);
+  const l = laneAt(place);
+  const nx = get(at + block.NX, l);
+  const ny = get(at + block.NY, l);
+  const leverA = get(at + block.POINTS + block.NORMAL_LEVER_A, l);
+  const leverB = get(at + block.POINTS + block.NORMAL_LEVER_B, l);
+  const a = yieldOf(
+    get(at + block.MASS_AX, l),
+    get(at + block.MASS_AY, l),
+    get(at + block.INERTIA_A, l),
+    nx,
+    ny,
+    leverA,
+  );
+  const b = yieldOf(
+    get(at + block.MASS_BX, l),
+    get(at + block.MASS_BY, l),
+    get(at + block.INERTIA_B, l),
+    nx,
+    ny,
+    leverB,
+  );
+  return (isInTreeA ? a : 0) + (isInTreeB ? b : 0) > LEAST_SHARE * (a + b);
+}
+
+// How fast a body moves by an impulse of 1 N s along a normal, 1/kg.
+// @ts-ignore: decorator
+@inline function yieldOf(massX: real, massY: real, inertia: real, nx: real, ny: real, lever: real): real {
+  return massX * nx * nx + massY * ny * ny + inertia * lever * lever;
 }
 
 // Of a body and all that bounces with it: how many there are, besides one, and their rows, 0 where there is none.
@@ -84,9 +162,9 @@ export function weighTrees(t: RigidTable, impact: Impact): bool {
 
 // Sets the effective mass of a point by what an impulse of 1 N s does, 1/kg.
 function setMass(point: ImpactPoint, response: real): bool {
-  const moves = response * point.mass > LEAST_MOTION;
+  if (!(response * point.ownMass > LEAST_MOTION)) return false;
   point.mass = <real>1 / response;
-  return moves;
+  return true;
 }
 
 // The speed that an impulse of 1 N s at a point gives another, 1/kg: the larger of those there and back. They differ where a joint to
@@ -94,12 +172,12 @@ function setMass(point: ImpactPoint, response: real): bool {
 // passes, too large a one would diverge.
 function tryImpulse(t: RigidTable, impact: Impact, at: ImpactPoint, seen: ImpactPoint): real {
   const before = normalSpeedAt(impact, seen);
-  applyNormalImpulse(impact, at, at.mass);
+  applyNormalImpulse(impact, at, at.ownMass);
   projectImpact(t, impact);
   const pushed = normalSpeedAt(impact, seen);
-  applyNormalImpulse(impact, at, -at.mass);
+  applyNormalImpulse(impact, at, -at.ownMass);
   projectImpact(t, impact);
   const there = pushed - before;
   const back = pushed - normalSpeedAt(impact, seen);
-  return (abs<real>(there) > abs<real>(back) ? there : back) / at.mass;
+  return (abs<real>(there) > abs<real>(back) ? there : back) / at.ownMass;
 }

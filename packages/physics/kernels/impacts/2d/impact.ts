@@ -18,6 +18,8 @@ export class Impact {
   place: i32;
   listed: i32;
   count: i32;
+  // Whether joints and their limits keep its points from moving.
+  held: i32;
   nx: real;
   ny: real;
   // Inverse masses and moments of inertia.
@@ -39,7 +41,8 @@ export class Impact {
 }
 
 // Levers and effective masses as in a block; the impulses of this round and of all rounds, and those of friction of all rounds and
-// before this one, N s, and what was taken back along the normal.
+// before this one, N s; what was taken back along the normal; the speed at which it may close, m/s; and its effective mass
+// without joints.
 @unmanaged
 export class ImpactPoint {
   leverA: real;
@@ -53,9 +56,11 @@ export class ImpactPoint {
   tangentImpulse: real;
   tangentBefore: real;
   taken: real;
+  room: real;
+  ownMass: real;
 }
 
-const POINT: usize = 11 * sizeof<real>();
+const POINT: usize = 13 * sizeof<real>();
 
 // @ts-ignore: decorator
 @inline export const IMPACT_SIZE: usize = (offsetof<Impact>('point0') + 2 * POINT + 7) & ~7;
@@ -75,6 +80,12 @@ export function normalSpeedAt(impact: Impact, point: ImpactPoint): real {
   const a = changetype<BodyState>(impact.stateA);
   const b = changetype<BodyState>(impact.stateB);
   return impact.nx * (b.vx - a.vx) + impact.ny * (b.vy - a.vy) + (b.w * point.leverB - a.w * point.leverA);
+}
+
+// How fast a point approaches beyond what it may, m/s.
+// @ts-ignore: decorator
+@inline export function excessAt(impact: Impact, point: ImpactPoint): real {
+  return -(normalSpeedAt(impact, point) + point.room);
 }
 
 // Pushes the bodies apart at a point with an impulse along the normal, N s.

@@ -23,6 +23,9 @@ import { memberOf, othersIn, projectImpact, projectImpacts, startTrees } from '.
 // An impact runs on where it strikes by more than this part of the threshold.
 const LEAST_PART: real = 0.1;
 
+// Contacts that approach more slowly are at rest, m/s.
+const AT_REST: real = 1e-3;
+
 // The search for impacts is before all rounds.
 const SEARCH: i32 = -1;
 
@@ -37,7 +40,7 @@ export function applyRestitution(table: usize): i32 {
   projectImpacts(t);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
-  bounceInRounds(t);
+  bounceInRounds(t, max<real>(<real>t.restitutionThreshold, AT_REST));
   for (let i = 0; i < t.impactCount; i++) storeImpact(t, impactAt(t, i));
   return t.impactCount;
 }

@@ -2,21 +2,22 @@
 // them. Both points of a contact at once: one after the other would be unequal although they are alike, and a box that
 // falls flat would bounce askew. Source: Catto, Iterative Dynamics with Temporal Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
 import * as block from '../../solver/2d/contact-block';
-import { Impact, ImpactPoint, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
+import { Impact, ImpactPoint, applyNormalImpulse, excessAt, pointOf } from './impact';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
 const LEAST_DETERMINANT: real = 1e-3;
 
 // Returns by how much it changed the speed of a point, m/s.
 export function stop(impact: Impact): real {
+  if (impact.held != 0) return 0;
   const p = pointOf(impact, 0);
-  if (impact.count < 2) return setImpulse(impact, p, p.impulse - p.mass * normalSpeedAt(impact, p));
+  if (impact.count < 2) return setImpulse(impact, p, p.impulse + p.mass * excessAt(impact, p));
   const q = pointOf(impact, 1);
   const pp = <real>1 / p.mass;
   const qq = <real>1 / q.mass;
   const pq = impact.coupling;
-  const speedP = normalSpeedAt(impact, p) - (pp * p.impulse + pq * q.impulse);
-  const speedQ = normalSpeedAt(impact, q) - (pq * p.impulse + qq * q.impulse);
+  const speedP = -excessAt(impact, p) - (pp * p.impulse + pq * q.impulse);
+  const speedQ = -excessAt(impact, q) - (pq * p.impulse + qq * q.impulse);
   const determinant = pp * qq - pq * pq;
   if (determinant > LEAST_DETERMINANT * pp * qq) {
     const impulseP = (pq * speedQ - qq * speedP) / determinant;

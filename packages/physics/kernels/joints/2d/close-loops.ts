@@ -99,7 +99,7 @@ export function closeLoops(
     push(row, row.value);
   }
   for (let i = 0; i < mechanism.count; i++) pushAxes(t, mechanism.first + i);
-  for (let i = 0; i < mechanism.trees; i++) gatherTree(t, rigid, treeOfMechanism(t, mechanism, i), bias, soft);
+  for (let i = 0; i < mechanism.trees; i++) gatherTree(t, rigid, treeOfMechanism(t, mechanism, i), bias, soft, false);
   softness.massScale = scale;
 }
 

@@ -14,18 +14,24 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
 import { LOOP } from './joint-trees';
+import { jointsOfTree, treeOfRow } from './list-by-tree';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { addLock, applyAlong, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { exertCoupling, speedOfCoupling } from './solve-couplings';
 
 // Which limit of a joint bears: that below, that above, or both, where they leave no room between them.
-const LOWER: i32 = 1;
-const UPPER: i32 = -1;
+export const LOWER: i32 = 1;
+export const UPPER: i32 = -1;
 const BOTH: i32 = 2;
 
-// Before it is decided: which limits the speeds pass.
+// Before it is decided: which limits the speeds pass, and from which they lead back.
 const PASSES_LOWER: i32 = 1;
 const PASSES_UPPER: i32 = 2;
+const LEAVES_LOWER: i32 = 4;
+const LEAVES_UPPER: i32 = 8;
+
+// What comes back to a limit faster than this, m/s or rad/s, is not held there: only the overlap is corrected.
+const LEAVES: f64 = 0.05;
 
 // What bears goes on to do so this near to its limit, m or rad, as long as it needs to push: what rests on it does not tremble.
 const SLOP: f64 = 0.005;
@@ -37,18 +43,18 @@ const NO_ROOM: f64 = 1e-9;
 
 // Whether the limits of a joint are solved with its tree. That of a pulley is its rope, which may be slack.
 // @ts-ignore: decorator
-@inline function hasTreeLimits(t: JointTable, work: JointWork): bool {
+@inline export function hasTreeLimits(t: JointTable, work: JointWork): bool {
   if (work.hasAxes == 0 || work.parent == LOOP) return false;
   return work.kind == PULLEY || word(t.hasLimits, work.id) != 0;
 }
 
 // @ts-ignore: decorator
-@inline function lowerOf(t: JointTable, work: JointWork): f64 {
+@inline export function lowerOf(t: JointTable, work: JointWork): f64 {
   return work.kind == PULLEY ? 0 : <f64>get(t.lower, work.id);
 }
 
 // @ts-ignore: decorator
-@inline function upperOf(t: JointTable, work: JointWork): f64 {
+@inline export function upperOf(t: JointTable, work: JointWork): f64 {
   return work.kind == PULLEY ? Infinity : <f64>get(t.upper, work.id);
 }
 
@@ -75,11 +81,13 @@ export function predictLimits(t: JointTable, rigid: RigidTable, k: i32): void {
   if (hasTreeLimits(t, work)) work.limit = passedLimits(t, rigid, work);
 }
 
-// Which limits of a joint its present speed passes within the sub-step.
+// Which limits of a joint its present speed passes within the sub-step, and from which it leads back.
 function passedLimits(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
   const row = rowOf(work, SPRING_ROW);
-  const then = row.error + rigid.h * (row.chord + speedOf(rigid, work));
-  return (then < lowerOf(t, work) ? PASSES_LOWER : 0) | (then > upperOf(t, work) ? PASSES_UPPER : 0);
+  const speed = row.chord + speedOf(rigid, work);
+  const then = row.error + rigid.h * speed;
+  const passes = (then < lowerOf(t, work) ? PASSES_LOWER : 0) | (then > upperOf(t, work) ? PASSES_UPPER : 0);
+  return passes | (speed > LEAVES ? LEAVES_LOWER : 0) | (speed < -LEAVES ? LEAVES_UPPER : 0);
 }
 
 // Decides which limit of a joint bears, and makes it one of its locked directions.
@@ -98,13 +106,22 @@ export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   const upper = passesUpper || (work.kind != PULLEY && impulses.upper > 0 && high < SLOP);
   impulses.lower = 0;
   impulses.upper = 0;
+  work.returns = 0;
   if (low + high < NO_ROOM) {
     lock(work, row, BOTH, low);
   } else if (lower && (!upper || low < high)) {
+    work.returns = isAlone(t, work) ? passes & LEAVES_LOWER : 0;
     lock(work, row, LOWER, errorOf(low, passesLower, rigid.h));
   } else if (upper) {
+    work.returns = isAlone(t, work) ? passes & LEAVES_UPPER : 0;
     lock(work, row, UPPER, -errorOf(high, passesUpper, rigid.h));
   }
+}
+
+// Whether a joint is all that its tree has. Among others its speed does not tell whether it would come back without being held.
+function isAlone(t: JointTable, work: JointWork): bool {
+  const tree = treeOfRow(t, work.a != 0 ? work.a : work.b);
+  return tree >= 0 && jointsOfTree(t, tree) == 1;
 }
 
 // The error for which a limit is reached within the sub-step, where that lies before it.
@@ -132,14 +149,14 @@ export function takeBackLimits(t: JointTable, rigid: RigidTable, k: i32): void {
   exert(rigid, work, work.kind == PULLEY ? -impulses.upper : impulses.upper - impulses.lower);
 }
 
-// Lets the limits of all joints go that would have to pull. Returns whether there are any.
+// Lets the limits of all joints go that would have to pull, or to stop what comes back. Returns whether there are any.
 export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
   let any = false;
   for (let k = 0; k < t.closedCount; k++) {
     const work = workAt(t, k);
     if (work.limit == 0 || work.limit == BOTH) continue;
     const impulse = lastLock(impulsesOf(t, work.id), work);
-    if (impulse * work.limit >= 0) continue;
+    if (impulse * work.limit >= 0 && work.returns == 0) continue;
     exert(rigid, work, -impulse);
     unlock(t, work);
     any = true;

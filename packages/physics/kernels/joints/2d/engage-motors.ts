@@ -20,7 +20,7 @@ const PUSHES_DOWN: i32 = 3;
 const RESTS: i32 = 4;
 
 // The rows that are locked at most.
-const MOST_LOCKS: i32 = 3;
+export const MOST_LOCKS: i32 = 3;
 
 // Begins a sub-step of a joint, before its motor has done anything. While a limit bears its direction is locked, and the motor pushes
 // into the limit with all its force, or is solved by itself; but a wheel turns about an axis that has no limits.
@@ -107,7 +107,7 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
 
 // Whether a motor acts in another direction than limits do.
 // @ts-ignore: decorator
-@inline function hasOwnDirection(work: JointWork): bool {
+@inline export function hasOwnDirection(work: JointWork): bool {
   const motor = rowOf(work, MOTOR_ROW);
   const limits = rowOf(work, SPRING_ROW);
   return motor.x != limits.x || motor.y != limits.y;

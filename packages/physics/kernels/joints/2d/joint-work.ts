@@ -32,7 +32,8 @@ export class JointWork {
   // What its motor does with its tree, 0 for nothing, and its row among the locked directions, -1 for none (engage-motors.ts).
   motor: i32;
   motorLock: i32;
-  pad: i32;
+  // Whether its limit is passed, and comes back by itself.
+  returns: i32;
   // What a motor that pushes and a spring add to the impulses on the tree in this pass, N s or N m s (push-axes.ts).
   push: f64;
   springPush: f64;

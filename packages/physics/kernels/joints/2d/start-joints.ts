@@ -4,13 +4,14 @@
 import { clearRecord } from '../../memory/records';
 import { LOCKED, flagsOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { ARTICULATED_MASS_SIZE, articulated, massBeside, massOf } from './articulated-body';
+import { ARTICULATED_BODY_SIZE, ARTICULATED_MASS_SIZE, articulated, massBeside, massOf } from './articulated-body';
 import { braceTurns, startRods } from './brace-rods';
 import { applyAtHinge } from './hinge-locks';
 import { startMotor } from './engage-motors';
 import { GEAR, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
 import { JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, workAt } from './joint-work';
 import { applyAlong, applyLocks, stateA, stateB } from './joint-rows';
+import { jointsOfTree } from './list-by-tree';
 import { measureJoint } from './measure-joints';
 import { warmStartCoupling } from './solve-couplings';
 import { softenJoint } from './soft-impulse';
@@ -51,15 +52,32 @@ const RAIL_MASS: f64 = 1e4;
 
 // Bodies of trees get the masses of their locked axes, to which joints add what hangs below them.
 function weighLocked(t: JointTable, rigid: RigidTable): void {
-  for (let i = 0; i < t.bodyCount; i++) {
-    const row = word(t.bodyRows, i);
-    if ((flagsOf(rigid, row) & LOCKED) == 0) continue;
-    const x = word(rigid.lockX, row) != 0;
-    const y = word(rigid.lockY, row) != 0;
-    const locked = (x && y ? LOCKED_MASS : RAIL_MASS) * articulated(t, i).mass;
-    if (x) massOf(t, i).m00 += locked;
-    if (y) massOf(t, i).m11 += locked;
+  for (let i = 0; i < t.bodyCount; i++) weighBody(t, rigid, i);
+}
+
+function weighBody(t: JointTable, rigid: RigidTable, i: i32): void {
+  const row = word(t.bodyRows, i);
+  if ((flagsOf(rigid, row) & LOCKED) == 0) return;
+  const x = word(rigid.lockX, row) != 0;
+  const y = word(rigid.lockY, row) != 0;
+  const locked = (x && y ? LOCKED_MASS : RAIL_MASS) * articulated(t, i).mass;
+  if (x) massOf(t, i).m00 += locked;
+  if (y) massOf(t, i).m11 += locked;
+}
+
+// Makes the matrices of one tree ready to be added to, in an impact (brace-rods.ts).
+export function clearTree(t: JointTable, rigid: RigidTable, tree: i32): void {
+  const first = word(t.treeStarts, tree);
+  clearBody(t, rigid, tree);
+  for (let i = 0; i < jointsOfTree(t, tree); i++) {
+    const below = placeAt(t, word(t.treeJoints, first + i)).below;
+    if (below != 0) clearBody(t, rigid, <i32>((below - t.bodies) / ARTICULATED_BODY_SIZE));
   }
+}
+
+function clearBody(t: JointTable, rigid: RigidTable, i: i32): void {
+  clearRecord(changetype<usize>(massOf(t, i)), ARTICULATED_MASS_SIZE);
+  if (rigid.lockedCount > 0) weighBody(t, rigid, i);
 }
 
 // Applies what the locked directions exerted, times `part`.

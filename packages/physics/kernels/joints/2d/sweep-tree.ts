@@ -10,16 +10,17 @@ import { jointsOfTree } from './list-by-tree';
 import { pushAxes } from './push-axes';
 import { gatherJoint, gatherResponse, passJoint, pullChild } from './row-locks';
 
-// From the ends: what the root bears, with the matrices that there are.
-export function gatherTree(t: JointTable, rigid: RigidTable, tree: i32, bias: f64, soft: bool): void {
+// From the ends: what the root bears. With `factor`, also the matrices.
+export function gatherTree(t: JointTable, rigid: RigidTable, tree: i32, bias: f64, soft: bool, factor: bool): void {
   const first = word(t.treeStarts, tree);
   for (let i = jointsOfTree(t, tree) - 1; i >= 0; i--) pushAxes(t, word(t.treeJoints, first + i));
   for (let i = jointsOfTree(t, tree) - 1; i >= 0; i--) {
     const k = word(t.treeJoints, first + i);
     const at = placeAt(t, k);
-    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), soft, false);
-    else gatherJoint(t, rigid, k, bias, false);
+    if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), soft, factor);
+    else gatherJoint(t, rigid, k, bias, factor);
   }
+  if (factor) factorRoot(t, tree);
 }
 
 // From the root: the velocities of all bodies. Joints exert what they must, and none of it is kept.
@@ -56,11 +57,13 @@ export function respond(t: JointTable, tree: i32): void {
 
 // The matrices of all roots, with all that hangs below them.
 export function factorRoots(t: JointTable): void {
-  for (let k = 0; k < t.rootCount; k++) {
-    const mass = massOf(t, k);
-    addOwnMass(mass, articulated(t, k));
-    invert(changetype<usize>(mass));
-  }
+  for (let k = 0; k < t.rootCount; k++) factorRoot(t, k);
+}
+
+function factorRoot(t: JointTable, k: i32): void {
+  const mass = massOf(t, k);
+  addOwnMass(mass, articulated(t, k));
+  invert(changetype<usize>(mass));
 }
 
 export function moveRoot(t: JointTable, rigid: RigidTable, k: i32): void {

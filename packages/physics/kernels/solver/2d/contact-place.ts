@@ -45,8 +45,28 @@ export function isTouching(t: RigidTable, place: i32): bool {
   return false;
 }
 
+// Whether a point approaches faster than `slowest` now, and meets within the step.
+export function willMeet(t: RigidTable, place: i32, slowest: real): bool {
+  const at = blockAt(t, place);
+  const l = laneAt(place);
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    if (get(p + block.NORMAL_MASS, l) == 0) continue;
+    const speed = speedAt(at, p, l);
+    if (speed < -slowest && separationAt(at, p, l) + <real>t.dt * speed < 0) return true;
+  }
+  return false;
+}
+
+// The speed at which the surfaces part at a point, m/s.
+function speedAt(at: usize, p: usize, l: i32): real {
+  const a = changetype<BodyState>(<usize>word(at + block.A, l));
+  const b = changetype<BodyState>(<usize>word(at + block.B, l));
+  const turning = b.w * get(p + block.NORMAL_LEVER_B, l) - a.w * get(p + block.NORMAL_LEVER_A, l);
+  return get(at + block.NX, l) * (b.vx - a.vx) + get(at + block.NY, l) * (b.vy - a.vy) + turning;
+}
+
 // How far the surfaces are apart at a point now, m.
-function separationAt(at: usize, p: usize, l: i32): real {
+export function separationAt(at: usize, p: usize, l: i32): real {
   const a = changetype<BodyState>(<usize>word(at + block.A, l));
   const b = changetype<BodyState>(<usize>word(at + block.B, l));
   const ax = get(p + block.AX, l);

@@ -170,6 +170,9 @@ export class RigidTable {
   visits: usize;
   pushes: usize;
   fastest: usize;
+  // Whether impacts are those of landings (landings.ts), and how many contacts were found to land: their places are kept in `struck`.
+  isLanding: i32;
+  landingCount: i32;
   // Joints that close loops in this step.
   loopCount: i32;
   // Contacts of deep overlap in this step; by row: class Crowd; the rows of the bodies in crowds, ascending (crowds.ts).
