@@ -25,7 +25,8 @@ const STYLE = `
 .bh-call { left: 50%; top: 64%; translate: -50% 0; text-align: center; width: max-content; max-width: 92% }
 .bh-call.low { top: auto; bottom: 10px; font-size: 13px }
 .bh-call h2 { margin: 0; font-size: clamp(26px, 5vw, 46px); letter-spacing: -0.02em } .bh-call p { margin: 4px 0 0; color: #c4d2f6; text-wrap: balance }
-
+/* Clear of the buttons at the right. */
+@media (min-width: 621px) and (min-height: 481px) { .bh-hud:not(.outside) .bh-call:not(.low) { max-width: calc(100% - 320px) } }
 /* Beside the ship's start, around which players press to steer. */
 .bh-redraw { right: 14px; bottom: 40px } .bh-daily { right: 14px; bottom: 84px; text-decoration: none }
 .bh-redraw, .bh-daily { padding: 7px 14px; border: 1px solid #ffffff38; border-radius: 11px; background: #ffffff14;

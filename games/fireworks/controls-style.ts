@@ -34,7 +34,7 @@ export const CONTROLS_STYLE = `
 .fw-sight { background: radial-gradient(circle, #ffe6b0 0 2px, #0000 3px), linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 10px / 2px 14px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 31px 40px / 2px 14px no-repeat, linear-gradient(#ffe6b0cc, #ffe6b0cc) 10px 31px / 14px 2px no-repeat,
   linear-gradient(#ffe6b0cc, #ffe6b0cc) 40px 31px / 14px 2px no-repeat }
-.fw-extras { position: absolute; left: max(20px, env(safe-area-inset-left)); top: calc(max(12px, env(safe-area-inset-top)) + 50px);
+.fw-extras { position: absolute; left: max(20px, env(safe-area-inset-left)); top: calc(var(--bar, 58px) + 4px);
   display: flex; flex-wrap: wrap; gap: 6px; max-width: calc(100% - 40px) }
 .fw-text { display: flex; gap: 6px; order: 1; flex-basis: 100% }
 .fw-text input { width: 150px; min-width: 0; padding: 0 12px; border: 1px solid #ffffff38; border-radius: 11px; background: #0a0e24e0;

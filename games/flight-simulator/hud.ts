@@ -11,7 +11,7 @@ const STYLES = `
 .fs-hud { position: absolute; inset: 0; pointer-events: none; overflow: hidden; font-variant-numeric: tabular-nums }
 .fs-instruments { position: absolute; left: 50%; bottom: max(12px, env(safe-area-inset-bottom)); width: 340px; height: 168px;
   translate: -50% 0; padding: 6px; border-radius: 16px; background: #0b122699; box-shadow: 0 6px 24px #0006 }
-.fs-task { box-sizing: border-box; position: absolute; left: 50%; top: 66px; translate: -50% 0; margin: 0; width: max-content; max-width: calc(100% - 40px);
+.fs-task { box-sizing: border-box; position: absolute; left: 50%; top: calc(var(--bar, 58px) + 8px); translate: -50% 0; margin: 0; width: max-content; max-width: calc(100% - 40px);
   padding: 8px 16px; border-radius: 12px; background: #0b1226cc; color: #fff; font-weight: 600; font-size: 16px; text-align: center }
 .fs-task:empty:not([data-hold]) { display: none } .fs-task[data-warning] { background: #b3261ee6 }
 .fs-task[data-hold]::after { content: attr(data-hold); display: block; color: #9ff0b8; font-size: 13px }

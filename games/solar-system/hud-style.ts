@@ -6,7 +6,7 @@ export const HUD_STYLE = `
 .ss-labels { position: absolute; inset: 0; overflow: hidden }
 .ss .ss-label { position: absolute; left: 2px; top: -10px; margin: 0; padding: 1px 3px; border: 0; background: none;
   font-size: 12.5px; font-weight: 600; line-height: 18px; cursor: pointer; white-space: nowrap; will-change: transform }
-.ss-date { position: absolute; left: 20px; top: 62px; display: grid; gap: 1px }
+.ss-date { position: absolute; left: 20px; top: calc(var(--bar, 58px) + 4px); display: grid; gap: 1px }
 .ss-date b { font-size: 25px; font-weight: 650; letter-spacing: -0.02em; line-height: 1.15 }
 .ss-date b small { font-size: 15px; font-weight: 500; color: #a9b8e2; margin-left: 5px }
 .ss-date > span { color: #ffd28a; max-width: 300px } .ss-date > em { font-style: normal; font-size: 12.5px; color: #ff9d8a; max-width: 270px }
@@ -53,8 +53,10 @@ export const HUD_STYLE = `
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }
 @media (max-width: 699px) { .ss-sky[open] { max-height: calc(100vh - 500px) } }
 @media (max-height: 479px) { .ss-jpl[open] { max-height: calc(100vh - 214px) } }
+/* The list ends above the missions. */
+@media (min-height: 480px) and (max-height: 659px) { .ss-jpl[open]:not(.ss-sky) { max-height: calc(100vh - 282px - var(--bar, 58px)) } }
 /* Card and lists together would leave no room for the flight. */
-@media (max-width: 699px), (max-height: 479px) { .ss:has(.ss-card) .ss-jpl { display: none } }
+@media (max-width: 699px), (max-height: 659px) { .ss:has(.ss-card) .ss-jpl { display: none } }
 @media (min-width: 700px) and (max-height: 479px) { .ss-card { position: fixed; right: 8px; bottom: 8px; width: 330px; max-height: calc(100% - 70px); overflow: auto }
   .ss-menu { position: fixed; right: 12px; bottom: 12px; width: 220px; display: grid } .ss-time { width: calc(100% - 350px); justify-self: start } }
 /* Where the card has no room for the goal beside its controls. */

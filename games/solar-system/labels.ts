@@ -50,9 +50,15 @@ export function createLabels(
   );
   return {
     update(spots, isShown, toScreen) {
+      const { clientWidth, clientHeight } = parent;
       for (const [i, tag] of tags.entries()) {
         const place = isShown && spots[i].isShown ? toScreen(spots[i]) : undefined;
-        const isFree = place !== undefined && !isTaken(tags, i, place.x + place.radius, place.y);
+        // A name outside the picture would take the focus of the keyboard there.
+        const isFree =
+          place !== undefined &&
+          isWithin(place.x + place.radius, clientWidth) &&
+          isWithin(place.y, clientHeight) &&
+          !isTaken(tags, i, place.x + place.radius, place.y);
         if (isFree !== tag.isShown) tag.element.hidden = !isFree;
         tag.isShown = isFree;
         if (place === undefined) continue;
@@ -69,6 +75,8 @@ export function createLabels(
     },
   };
 }
+
+const isWithin = (at: number, length: number): boolean => at >= 0 && at <= length - CLEAR.y;
 
 /** The name whose middle is nearest to a place in the picture, CSS pixels. */
 function nearestTo(tags: readonly Tag[], x: number, y: number): number {

@@ -19,10 +19,11 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 .st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 /* Legible on blocks of any colour. */
 .game-hint { bottom: 78px; width: fit-content; height: fit-content; margin: 0 auto; padding: 4px 14px; border-radius: 12px; background: #141b36d9 }
-/* For a mouse the buttons stand at the left, above the tools. */
-@media (pointer: fine) { .game .game-pad { left: 16px; bottom: 136px; grid: auto-flow 48px / 48px; justify-content: start }
-  .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 84px; width: 48px; height: 48px } }
-@media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools span { display: none }
+/* For a mouse the buttons stand at the left, above the tools, from the top in the order of the keyboard; the hint beside them. */
+@media (pointer: fine) { .game .game-pad { left: 16px; bottom: 84px; grid: auto-flow 48px / 48px; justify-content: start } .game-hint { left: 76px }
+  .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 188px; width: 48px; height: 48px } }
+@media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools button { min-width: 48px; padding: 0 3px }
+  .st-tools span { display: block; font-size: 11px; line-height: 1.2 }
   .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px }
   /* What a tool does is said below the tools: the next one may be wanted at once. */
   .game .game-banner:not([data-kind=error]) { top: 130px } }

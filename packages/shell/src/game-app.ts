@@ -15,6 +15,7 @@ import { createLayout, type Layout } from './layout.ts';
 import { startLoop } from './loop.ts';
 import { createOutcomeCard, type OutcomeCard } from './outcome-card.ts';
 import { listenToPage, systemReducesMotion } from './page-events.ts';
+import { closePanelThatCovers, pauseWhileCovered } from './panel-cover.ts';
 import { type AppearanceOptions, Preferences } from './preferences.ts';
 import { isPreview, startPreview } from './preview.ts';
 import { Session } from './session.ts';
@@ -90,6 +91,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
       parent,
       isSheet: game.hasSheet,
       onSidebar: () => this.views.view?.fit(),
+      onCover: pauseWhileCovered(this),
       signal,
     });
     this.#banner = createBanner(this.layout.root);
@@ -101,6 +103,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     const { root } = this.layout;
     this.#keyTarget = parent === undefined ? document : root;
     tendFocus(root, parent !== undefined, signal);
+    closePanelThatCovers(this.layout, this.#keyTarget, signal);
     this.space = new SpaceBar(this.layout.stage, () => this.pause());
     this.sharing = this.#makeSharing();
     this.help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);

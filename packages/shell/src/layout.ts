@@ -14,6 +14,8 @@ export interface Layout {
   readonly sidebar: HTMLElement;
   /** Margins of the stage that toolbar, sidebar and timeline cover. */
   insets(): Insets;
+  /** Whether the sidebar covers the game, as it does on phones. */
+  readonly isCovered: boolean;
   /** Shows or hides the sidebar; without an argument, toggles it. */
   toggleSidebar(shown?: boolean): void;
 }
@@ -26,12 +28,14 @@ export interface LayoutOptions {
   readonly isSheet?: boolean | undefined;
   /** Called when the sidebar was shown or hidden. */
   readonly onSidebar: () => void;
+  /** Called when the sidebar begins or ceases to cover the game, as it does on phones. */
+  readonly onCover: (isCovered: boolean) => void;
   /** Ends the layout: it removes its elements. */
   readonly signal: AbortSignal;
 }
 
 /** Builds the elements of a game. */
-export function createLayout({ title, parent, isSheet = false, onSidebar, signal }: LayoutOptions): Layout {
+export function createLayout({ title, parent, isSheet = false, onSidebar, onCover, signal }: LayoutOptions): Layout {
   addStyles();
   const stage = element('div', 'game-stage');
   const bar = element('header', 'game-bar', {}, element('h1', 'game-title', {}, title));
@@ -45,18 +49,29 @@ export function createLayout({ title, parent, isSheet = false, onSidebar, signal
   let narrow = isNarrow(root);
   let shown = !isPreview && (isSheet || !narrow);
   sidebar.hidden = !shown;
+  let isCovered = false;
+  const noteCover = () => {
+    const before = isCovered;
+    isCovered = shown && narrow && !isSheet;
+    if (isCovered !== before) onCover(isCovered);
+  };
   const toggleSidebar = (wanted = !shown) => {
     shown = wanted;
     sidebar.hidden = !shown;
     onSidebar();
+    noteCover();
   };
   const watch = new ResizeObserver(() => {
+    // In a small window the bar has several rows, and what stands below it moves down.
+    root.style.setProperty('--bar', `${bar.offsetHeight}px`);
     const before = narrow;
     narrow = isNarrow(root);
     // A window that becomes narrow shows the game, which the sidebar would cover.
     if (narrow && !before && shown && !isSheet) toggleSidebar(false);
+    else noteCover();
   });
   watch.observe(root);
+  watch.observe(bar);
   signal.addEventListener('abort', () => {
     watch.disconnect();
     root.remove();
@@ -75,6 +90,9 @@ export function createLayout({ title, parent, isSheet = false, onSidebar, signal
       return covered;
     },
     toggleSidebar,
+    get isCovered() {
+      return isCovered;
+    },
   };
 }
 

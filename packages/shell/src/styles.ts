@@ -40,6 +40,7 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
 .game-side .lil-disabled .lil-fill { display: none }
 /* A long name takes a second line, so that the slider keeps its length. */
 .game-side .lil-number > .lil-name { box-sizing: border-box; max-width: 46%; white-space: normal; overflow-wrap: anywhere; line-height: 1.25 }
+.game-side-close { display: none }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
 .game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
 .game-card h2 span { flex-basis: 100%; font-weight: 500; display: flex; flex-wrap: wrap; gap: 0 10px }
@@ -80,7 +81,7 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
   align-items: center; padding: 12px 14px 12px 18px; border-radius: 14px; background: #30142bf2;
   border: 1px solid #ff8b9a66; color: #ffdfe3; box-shadow: 0 12px 40px #0008; user-select: text; z-index: 3 }
 /* Notes lie below the bar, where they cover neither the controls of a game nor its ground. */
-.game-banner:not([data-kind=error]) { bottom: auto; top: calc(max(12px, env(safe-area-inset-top)) + 54px); padding: 7px 8px 7px 16px;
+.game-banner:not([data-kind=error]) { bottom: auto; top: calc(var(--bar, 58px) + 8px); padding: 7px 8px 7px 16px;
   background: #18224a; border-color: #9bb4ff55; color: #dfe7ff }
 .game:has(.game-side:not([hidden])) .game-banner { left: calc(50% - 144px); max-width: min(680px, calc(100% - 320px)) }
 .game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere; hyphens: auto }
@@ -135,7 +136,7 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
   .game-outcome > button { margin: 12px 4px 0 } .game-outcome:has(> ol:empty) { display: block } .game-outcome > ol:empty { display: none } }
 .game-hint { position: absolute; left: 16px; right: 16px; bottom: calc(max(14px, env(safe-area-inset-bottom)) + var(--foot, 0px)); margin: 0; pointer-events: none;
   text-align: center; text-wrap: balance; font-weight: 500; font-size: 15px; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }
-@media (pointer: coarse) { .game-hint { bottom: auto; top: 74px } }
+@media (pointer: coarse) { .game-hint { bottom: auto; top: calc(var(--bar, 64px) + 10px) } }
 /* A window on its side has no room above the picture, but some between the buttons at the corners. */
 @media (pointer: coarse) { @container (max-height: 479px) { .game-hint { top: auto; bottom: 10px; left: 172px; right: 172px } } }
 /* The bar of the recorded time lies below the picture; what stands at the bottom moves up by its height. */
@@ -161,6 +162,9 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
 @container (max-width: 999px) { .game-title { display: none } .game-bar { padding-left: max(12px, env(safe-area-inset-left)) } }
 /* Texts of the game below it would show through. */
 @container ${NARROW} { .game-side { top: 66px; max-height: calc(100% - 78px); background: #111834f7 }
+  /* In a corner of the panel, whose height it does not take. */
+  .game:not(.game-sheet) .game-side-close { display: grid; place-items: center; position: sticky; top: 0; z-index: 1; width: 44px; height: 44px;
+    margin: 0 0 -44px auto; border: 0; border-radius: 14px; background: #212b56; color: var(--ink); font: 600 15px/1 system-ui, sans-serif; cursor: pointer }
   .game:has(.game-side:not([hidden])) .game-bar { right: 0 }
   .game:has(.game-side:not([hidden])) :is(.game-pad, .game-hint) { display: none }
   .game:has(.game-side:not([hidden])) .game-banner { left: 50%; max-width: calc(100% - 32px) }
