@@ -14,6 +14,7 @@ const STYLE = `
 .bh-lives { left: 14px; top: 10px; display: flex; gap: 9px; align-items: center }
 .bh-lives i { width: 0; height: 0; border: 6px solid transparent; border-bottom: 13px solid var(--ship); border-top: 0 }
 .bh-lives i.lost { border-bottom-color: #ffffff26 }
+@media (forced-colors: active) { .bh-lives i { forced-color-adjust: none } .bh-fuel div { background: #000 } }
 .bh-score { left: 50%; top: 8px; translate: -50% 0; font-size: 18px; white-space: nowrap }
 .bh-level { right: 14px; top: 10px; display: flex; flex-direction: row-reverse; gap: 12px; align-items: baseline; white-space: nowrap }
 .bh-level small { color: #9fb0dc; font-weight: 500 }
@@ -125,7 +126,7 @@ function createRoot(parent: HTMLElement): HTMLElement {
   root.innerHTML = `<style>${STYLE}</style>
 <div class="bh-lives">${'<i></i>'.repeat(LIVES)}<span></span></div><div class="bh-score"></div>
 <div class="bh-level"><span></span><small></small></div>
-<div class="bh-fuel"><small></small><div><b></b></div></div><div class="bh-speed"></div>
+<div class="bh-fuel"><small></small><div data-gauge><b></b></div></div><div class="bh-speed"></div>
 <div class="bh-call"><h2></h2><p></p></div><a class="bh-daily" href="${withLanguage(`?seed=${seedOf(dayOf(new Date()))}`)}">${WORDS.daily}</a><button type="button" class="bh-redraw" title="${WORDS.redrawHint}">${WORDS.redraw}</button><div class="bh-toast" role="status"></div>`;
   parent.append(root);
   return root;

@@ -17,6 +17,7 @@ export const CONTROLS_STYLE = `
 .fw-tray .fw-color { min-width: 27px; padding: 0 }
 .fw-color i { width: 15px; height: 15px; border-radius: 50%; background: var(--c); box-shadow: 0 0 8px var(--c) }
 .fw-color.fw-any i { background: conic-gradient(#ff5a4d, #ffd94a, #3dff6e, #3f9bff, #b45cff, #ff5a4d); box-shadow: none }
+@media (forced-colors: active) { :is(.fw-color i, .fw-mark, .fw-cursor) { forced-color-adjust: none } }
 .fw-show { width: min(760px, 100%); padding: 7px 9px 5px }
 .fw-show > div:first-child { display: flex; gap: 4px; align-items: center }
 .fw-show p { flex: 1; margin: 0 6px; color: #b9c4e6; font-size: 13px; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap }

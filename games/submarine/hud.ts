@@ -14,6 +14,7 @@ const STYLE = `
 .sub-gauges i { height: 8px; border-radius: 4px; background: #ffffff24; position: relative; overflow: hidden }
 .sub-gauges i b { position: absolute; inset: 0; background: var(--c); transform-origin: 0; border-radius: 4px }
 .sub-gauges i u { position: absolute; left: 50%; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff }
+@media (forced-colors: active) { .sub-gauges i { background: #04182a } }
 .sub-gauges em { font-style: normal; color: #d5e9f5 }
 @media (max-width: 759px), (max-height: 479px) { .sub-panel { gap: 1px; bottom: 12px } .sub-goal { font-size: 15px } .sub-say, .sub-depth { font-size: 12.5px } .sub-gauges { grid-template-columns: auto 84px; font-size: 11.5px } }
 @media (pointer: coarse) { .sub-panel { left: 104px } .sub-goal, .sub-say { max-width: 38vw } }
@@ -45,7 +46,8 @@ export function createHud(context: ViewContext<Settings, SubmarineGame>): Hud {
   root.className = 'sub-hud';
   root.dataset.filmed = '';
   const { tank, hull, air, breath } = WORDS.gauges;
-  const bar = (name: string, color: string, mark = '') => `<em>${name}</em><i style="--c: ${color}"><b></b>${mark}</i>`;
+  const bar = (name: string, color: string, mark = '') =>
+    `<em>${name}</em><i data-gauge style="--c: ${color}"><b></b>${mark}</i>`;
   root.innerHTML = `<style>${STYLE}</style><div class="sub-panel"><div class="sub-goal"></div><div class="sub-say" role="status"></div><div class="sub-depth"></div><div class="sub-gauges">${bar(tank, '#4aa8ff', '<u></u>')}${bar(hull, '#ffc15e')}${bar(air, '#9ff5e2')}${bar(breath, '#ff9d8a')}</div></div>`;
   context.element.append(root);
   const [goal, warning, depth] = ['.sub-goal', '.sub-say', '.sub-depth'].map(

@@ -1,3 +1,5 @@
+import { FORCED_COLORS } from './forced-colors.ts';
+
 /** Phones in portrait or landscape, and elements as small: the sidebar covers the stage and starts hidden. */
 const NARROW = '(max-width: 759px) or (max-height: 479px)';
 
@@ -199,6 +201,6 @@ export function addStyles(): void {
   if (document.getElementById('game-styles') !== null) return;
   const sheet = document.createElement('style');
   sheet.id = 'game-styles';
-  sheet.textContent = styles;
+  sheet.textContent = styles + FORCED_COLORS;
   document.head.append(sheet);
 }
