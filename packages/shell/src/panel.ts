@@ -39,6 +39,7 @@ export function createPanel(
     if (setting.kind !== 'number' || setting.presets === undefined) return [controller];
     const named = addPresets(
       gui,
+      setting.label,
       setting.presets,
       () => values[name] as number,
       (value) => onChange(name, value),
@@ -82,9 +83,10 @@ function addDefaults(
   domElement.title = words().defaultsHint;
 }
 
-/** A list of named values of a slider. */
+/** A list of named values of a slider. @param label of the slider, which the list has only for screen readers */
 function addPresets(
   gui: GUI,
+  label: string,
   presets: Readonly<Record<string, number>>,
   read: () => number,
   write: (value: number) => void,
@@ -99,7 +101,11 @@ function addPresets(
       if (name !== own) write(presets[name]);
     },
   };
-  return gui.add(proxy, 'named', [own, ...Object.keys(presets)]).name('');
+  const controller = gui.add(proxy, 'named', [own, ...Object.keys(presets)]).name('');
+  const list = controller.domElement.querySelector('select') as HTMLSelectElement;
+  list.removeAttribute('aria-labelledby');
+  list.ariaLabel = label;
+  return controller;
 }
 
 function addController(gui: GUI, proxy: Record<string, never>, name: string, setting: Setting): Controller {
@@ -107,8 +113,25 @@ function addController(gui: GUI, proxy: Record<string, never>, name: string, set
   if (setting.kind === 'choice') return gui.add(proxy, name, setting.choices);
   const controller = addSlider(gui, proxy, name, setting);
   const { integer: isWhole, min } = setting;
-  speakNumbers(controller.domElement.querySelector('input') as HTMLInputElement, { isWhole, min });
+  const input = controller.domElement.querySelector('input') as HTMLInputElement;
+  speakNumbers(input, { isWhole, min });
+  tellRange(controller, input, () => ({ min, max: setting.max, now: proxy[name] as number }));
   return controller.updateDisplay();
+}
+
+/** Tells screen readers that the arrow keys change a field, its limits and its value. */
+function tellRange(
+  controller: Controller,
+  input: HTMLInputElement,
+  range: () => Readonly<Record<'min' | 'max' | 'now', number>>,
+): void {
+  input.role = 'spinbutton';
+  const show = controller.updateDisplay.bind(controller);
+  controller.updateDisplay = () => {
+    show();
+    for (const [name, value] of Object.entries(range())) input.setAttribute(`aria-value${name}`, String(value));
+    return controller;
+  };
 }
 
 function addSlider(gui: GUI, proxy: Record<string, never>, name: string, setting: NumberSetting): Controller {
