@@ -1,9 +1,11 @@
+import { EXAMPLES } from '@principia/scenes/examples/list';
 import { csvOf } from '@principia/shell';
 import { expect, test } from 'vitest';
 import { gridLines } from './grid-lines.ts';
 import { percentage, plainNumber } from './number-text.ts';
 import { plotSentence } from './plot-sentence.ts';
 import { Samples } from './samples.ts';
+import { isFound } from './search.ts';
 
 test('samples keep the whole run in a fixed memory, and forget what was rewound', () => {
   const samples = new Samples(1, 0.1, 100);
@@ -63,4 +65,21 @@ test('tables have a line of names, which are quoted where they have a comma', ()
       ],
     ),
   ).toBe('"t, s",x\n0,2\n1,3.5\n');
+});
+
+test('a search for a chapter finds that chapter alone, and other words wherever they are', () => {
+  const chaptersOf = (search: string) => {
+    const found = EXAMPLES.filter((entry) => isFound(entry, search));
+    return { chapters: [...new Set(found.map(({ chapter }) => chapter))], count: found.length };
+  };
+  const all = (chapter: number) => EXAMPLES.filter((entry) => entry.chapter === chapter).length;
+  for (const chapter of [1, 3, 8, 17]) {
+    const found = { chapters: [chapter], count: all(chapter) };
+    expect(chaptersOf(`chapter ${chapter}`)).toEqual(found);
+    expect(chaptersOf(`Kapitel  ${chapter} `)).toEqual(found);
+  }
+  expect(chaptersOf('Chapter 8 bungee').chapters).toEqual([8]);
+  expect(chaptersOf('chapter').count).toBe(EXAMPLES.length);
+  expect(chaptersOf('chapter 8 chapter 9').count).toBe(0);
+  expect(chaptersOf('orbit').count).toBeGreaterThan(10);
 });

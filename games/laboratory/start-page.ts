@@ -3,6 +3,7 @@
 import { EXAMPLES, type ExampleEntry } from '@principia/scenes/examples/list';
 import { element, withLanguage } from '@principia/shell';
 import { chapterTitle } from './chapters.ts';
+import { isFound } from './search.ts';
 import { addStartStyles } from './start-styles.ts';
 import { WORDS } from './words.ts';
 
@@ -32,7 +33,7 @@ export function showStartPage(parent: HTMLElement, search: string, unknown: stri
   const tags = element('div', 'start-tags', { role: 'group', 'aria-label': words.subjects });
   let pictures: Readonly<Record<string, string>> = {};
   const show = () => {
-    const found = EXAMPLES.filter((entry) => matches(entry, field.value));
+    const found = EXAMPLES.filter((entry) => isFound(entry, field.value));
     for (const button of tags.children) button.setAttribute('aria-pressed', String(button.textContent === field.value));
     count.textContent = found.length === 0 ? words.nothing : words.count(found.length);
     list.replaceChildren(...(field.value === '' ? [striking(pictures)] : []), ...chapters(found, pictures));
@@ -77,15 +78,6 @@ export function showStartPage(parent: HTMLElement, search: string, unknown: stri
     ),
   );
   show();
-}
-
-/** Every word of the search must occur in the title, the chapter, the tags, the text or the id. */
-function matches({ id, title, chapter, tags, about }: ExampleEntry, search: string): boolean {
-  const text = [id, title, `chapter ${chapter}`, chapterTitle(chapter), ...tags, about].join(' ').toLowerCase();
-  return search
-    .toLowerCase()
-    .split(/\s+/)
-    .every((word) => text.includes(word));
 }
 
 /** The tags that most examples have. */

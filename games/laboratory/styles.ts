@@ -4,13 +4,13 @@ const styles = `
 @media (max-width: 759px), (max-height: 479px) { .lab-back span { display: none } }
 .lab-back:focus-visible, .lab-neighbours a:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .game-card.lab-about h2 { display: block } .lab-about h2 b { font-weight: inherit }
-/* A long title gives way to the buttons. */
+/* A long title takes two lines beside the buttons. */
 @media (min-width: 1000px) { .game-bar:has(.lab-back) { flex-wrap: nowrap } .game-bar:has(.lab-back) > :not(.game-title) { flex: none }
-  .game-bar:has(.lab-back) .game-title { min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap } }
+  .game-bar:has(.lab-back) .game-title { min-width: 0; font-size: clamp(15px, 1.6cqw, 20px); line-height: 1.2; max-height: 2.4em; overflow: hidden; text-wrap: balance } }
 .lab-about p { margin: 2px 0 8px; font-size: 13px; line-height: 1.45; user-select: text }
 .lab-about ul { margin: 2px 0 8px; padding-left: 16px; font-size: 13px; line-height: 1.4 }
 .lab-neighbours { display: flex; justify-content: space-between; gap: 12px; font-size: 12px }
-.lab-neighbours a { color: var(--dim); text-decoration: none; overflow: hidden; text-overflow: ellipsis; white-space: nowrap }
+.lab-neighbours a { color: var(--dim); text-decoration: none; line-height: 1.35; text-wrap: balance } .lab-neighbours a + a { text-align: right }
 .lab-checks { list-style: none; margin: 0; padding: 0 } .lab-checks li { display: flex; gap: 8px; padding: 3px 0 }
 .lab-checks b { flex: none; width: 18px; height: 18px; border-radius: 50%; display: grid; place-items: center; font-size: 12px;
   background: #ffffff14; color: var(--dim) }
@@ -47,7 +47,7 @@ const styles = `
 .lab-save { border: 1px solid var(--line); border-radius: 7px; background: #ffffff10; color: var(--dim); font: inherit; font-size: 12px;
   padding: 1px 7px; cursor: pointer } .lab-save:focus-visible { outline: 2px solid var(--accent) }
 @media (pointer: coarse) { .lab-presets kbd { display: none } .lab-presets :is(a, button) { min-height: 44px; min-width: 44px; box-sizing: border-box; line-height: 26px }
-  .lab-neighbours a { line-height: 44px; min-width: 44px } :is(.lab-save, .lab-fold) { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }
+  .lab-neighbours a { display: flex; align-items: center; min-height: 44px; min-width: 44px } :is(.lab-save, .lab-fold) { min-height: 44px; min-width: 44px } .lab-code-buttons button { min-height: 44px } }
 .lab-plot .u-cursor-x { position: absolute; left: 0; top: 0; height: 100%; border-right: 1px dashed #ffffff66; pointer-events: none }
 .lab-plot .u-cursor-pt { position: absolute; top: 0; left: 0; border-radius: 50%; pointer-events: none; background-clip: padding-box !important }
 .lab-plot .u-over { touch-action: pan-y } .lab-plot .u-off, .lab-plot .u-select { display: none }
