@@ -6,13 +6,15 @@
 const en = {
   title: 'Principia games',
   lead: 'Real physics to play with: nearly every world can be stopped, slowed, run backwards and measured.',
-  search: 'Search the games',
+  about:
+    'Principia is a <a href="https://github.com/principia-physics/principia">physics framework for games</a>: <a href="https://github.com/principia-physics/principia/tree/main/docs/making-a-game.md">build</a>, play, <a href="https://github.com/principia-physics/principia/tree/main/docs/bench.md">measure</a>.',
+  search: 'Search games',
   surprise: 'Surprise me',
   game: 'Games',
   toy: 'Things to play with',
   lab: 'Experiments',
   none: 'There is no game yet.',
-  nothing: 'No game is like that. Try another word, such as “ball” or “sky”.',
+  nothing: 'No game is like that. <a href="./laboratory/index.html">Search the laboratory</a>',
   keys: 'Most games list their keys when you press <kbd>H</kbd>: <kbd>Space</kbd> pauses, <kbd>B</kbd> runs time backwards, <kbd>S</kbd> slows it down.',
   touch: 'Most games explain themselves behind the button <kbd>?</kbd>.',
   privacy:
@@ -26,13 +28,15 @@ const en = {
 const de = {
   title: 'Principia-Spiele',
   lead: 'Echte Physik zum Spielen: Fast jede Welt lässt sich anhalten, verlangsamen, zurückspulen und vermessen.',
+  about:
+    'Principia ist ein <a href="https://github.com/principia-physics/principia">Physik-Framework für Spiele</a>: <a href="https://github.com/principia-physics/principia/tree/main/docs/making-a-game.md">bauen</a>, spielen, <a href="https://github.com/principia-physics/principia/tree/main/docs/bench.md">messen</a>.',
   search: 'Spiele suchen',
   surprise: 'Überrasch mich',
   game: 'Spiele',
   toy: 'Zum Herumspielen',
   lab: 'Experimente',
   none: 'Es gibt noch kein Spiel.',
-  nothing: 'So ein Spiel gibt es hier nicht. Versuch ein anderes Wort, etwa „Ball“ oder „Loch“.',
+  nothing: 'So ein Spiel gibt es nicht. <a href="./laboratory/index.html">Im Labor suchen</a>',
   keys: 'Die meisten Spiele zeigen mit <kbd>H</kbd> ihre Tasten: Die <kbd>Leertaste</kbd> hält an, <kbd>B</kbd> spult zurück, <kbd>S</kbd> verlangsamt.',
   touch: 'Die meisten Spiele erklären sich hinter dem Knopf <kbd>?</kbd>.',
   privacy:

@@ -224,6 +224,27 @@ it('has a front page of at most 120 KB with all pictures, a search, a surprise, 
   expect(trouble).toEqual([]);
 });
 
+it('leads from the front page to the framework, and from a search without a game to that of the laboratory', async () => {
+  const { page, trouble } = await openHome();
+  const links = await page
+    .locator('header p a')
+    .evaluateAll((all) => all.map((each) => (each as HTMLAnchorElement).href));
+  const source = 'https://github.com/principia-physics/principia';
+  expect(links).toEqual([source, `${source}/tree/main/docs/making-a-game.md`, `${source}/tree/main/docs/bench.md`]);
+  for (const link of links.slice(1)) expect(existsSync(link.split('/main/')[1])).toBe(true);
+  await page.locator('input').fill('double pendulum');
+  await page.locator('.nothing a').click();
+  await page.waitForURL(/laboratory\/index\.html\?search=double/);
+  expect(await page.locator('input').inputValue()).toBe('double pendulum');
+  await page.locator('section').first().waitFor();
+  await page.goto(`${home}index.html?lang=de`);
+  await page.locator('input').fill('orbit');
+  await page.keyboard.press('Enter');
+  await page.waitForURL(/laboratory\/.*lang=de/);
+  expect(new URL(page.url()).searchParams.get('search')).toBe('orbit');
+  expect(trouble).toEqual([]);
+});
+
 /** Large enough for the head of the front page and some cards at once. */
 const DESK = { viewport: { width: 1280, height: 1100 } } as const;
 const liveNames = names.filter((name) => /<meta name="live"/.test(gamePage(name)));
@@ -332,7 +353,7 @@ it.each([
   expect(await page.title()).toBe(FRONT_PAGE.de.title);
   const text = (await page.locator('body').innerText()).replaceAll('\n', ' ');
   const written = (html: string) => html.replace(/<[^>]*>/g, '');
-  for (const name of ['title', 'lead', 'surprise', 'game', 'toy', 'lab', 'touch', 'privacy'] as const) {
+  for (const name of ['title', 'lead', 'about', 'surprise', 'game', 'toy', 'lab', 'touch', 'privacy'] as const) {
     expect(text).toContain(written(FRONT_PAGE.de[name]));
     if (name !== 'title') expect(text).not.toContain(written(FRONT_PAGE.en[name]));
   }
@@ -341,7 +362,7 @@ it.each([
   expect(text).not.toContain(written(FRONT_PAGE.de.keys));
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   await page.locator('input').fill('Quastenflosser');
-  expect(await page.locator('main').innerText()).toContain(FRONT_PAGE.de.nothing);
+  expect(await page.locator('main').innerText()).toContain(written(FRONT_PAGE.de.nothing));
   await page.locator('input').fill('Schwarzes Loch');
   expect(await page.locator('.nothing').isVisible()).toBe(false);
   await page.locator('.games li:visible a').click();
