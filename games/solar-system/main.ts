@@ -11,14 +11,14 @@ import { WORDS } from './words.ts';
 document.title = WORDS.title;
 const page = new Page(location.hash);
 
-/** The world's masses are G m in km³/s², its lengths km. */
+/** The world's masses are G m in km³/s², its lengths km; momenta and energies have the factor G as well. */
 const UNITS = {
   m: 'km',
   'm/s': 'km/s',
   kg: 'km³/s²',
-  'kg m/s': 'GM km/s',
-  'kg m²/s': 'GM km²/s',
-  J: 'GM km²/s²',
+  'kg m/s': 'km⁴/s³',
+  'kg m²/s': 'km⁵/s³',
+  J: 'km⁵/s⁴',
 };
 
 /** Factor by which an arrow key changes the speed of time. */

@@ -15,6 +15,7 @@ import {
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import airplane from '../../packages/scenes/src/examples/ch07/airplane.ts';
+import apparentWeight from '../../packages/scenes/src/examples/ch07/apparent-weight.ts';
 import balloon from '../../packages/scenes/src/examples/ch07/balloon.ts';
 import parachute from '../../packages/scenes/src/examples/ch07/parachute.ts';
 import sliding from '../../packages/scenes/src/examples/ch07/sliding.ts';
@@ -96,6 +97,15 @@ test('ch07-apparent-weight: (ρ - ρ_fluid) V g; floats 90 % immersed; neutral w
   const ice = { position: { y: -0.8 }, mass: 1800, hull: { volume: 2, halfHeight: 1, shape: 1 } };
   const { world, eid } = single([uniformGravity({ y: -10 }), buoyancy(pool)], ice);
   expect(forceOn(world, eid).y).toBeCloseTo(0, 10);
+});
+
+test('ch07-apparent-weight: lead of 11.3 keeps 10.3 of its weight in water, and hangs at rest within the minute', () => {
+  expect(apparentWeight.presets).toEqual([{ label: 'Cork and lead', values: { light: 0.2, heavy: 11.3 } }]);
+  const { world, at } = started(apparentWeight, { values: { light: 0.2, heavy: 11.3 } }, 3);
+  run(world, 60);
+  // The hook is at 2 m, the spring 3 m long, and its stiffness 8 N/m for each kilogram. Of the 0.64 m at first, drag leaves
+  // exp(-0.3 · 60), 1e-8 m.
+  expect(Math.abs(at().y - (2 - 3 - (10.3 * 10) / (8 * 11.3)))).toBeLessThan(1e-8);
 });
 
 describe('balloon', () => {

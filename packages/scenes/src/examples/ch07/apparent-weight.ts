@@ -3,7 +3,9 @@ import { defineExample } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
 
-const [GRAVITY, FLUID, STIFFNESS, LENGTH] = [10, 1, 20, 3];
+const [GRAVITY, FLUID, LENGTH] = [10, 1, 3];
+/** Stiffness of the balance and drag of the cube on it, for each kilogram that hangs there: all come to rest alike. */
+const [STIFFNESS, DRAG] = [8, 0.6];
 const HOOK = { x: 3, y: 2 };
 /** Half the side of the cubes, m. */
 const HALF = 0.5;
@@ -18,20 +20,22 @@ export default defineExample({
   duration: 60,
   parameters: {
     light: { label: 'Density of the first', unit: '× water', initial: 0.9, min: 0.1, max: 0.95 },
-    heavy: { label: 'Density of the third', unit: '× water', initial: 2.5, min: 1.5, max: 4 },
+    heavy: { label: 'Density of the third', unit: '× water', initial: 2.5, min: 1.5, max: 12 },
   },
-  presets: [{ label: 'Cork and lead', values: { light: 0.2, heavy: 4 } }],
+  presets: [{ label: 'Cork and lead', values: { light: 0.2, heavy: 11.3 } }],
   build({ light, heavy }, options) {
     const fluid = { density: FLUID, gravity: { y: -GRAVITY }, level: 0 };
     const forces = [uniformGravity({ y: -GRAVITY }), buoyancy(fluid), immersedDrag(fluid), springs()];
     const world = createPhysicsWorld({ capacity: 8, forces, ...options });
     const hull = { volume: 8 * HALF * HALF * HALF, halfHeight: HALF, shape: 1 };
-    const cube = (x: number, y: number, density: number) =>
-      spawn(world, { position: { x, y }, velocity: {}, mass: density, hull, linearDrag: 1.5 });
-    const [floating, hovering, hanging] = [cube(-3, 0.4, light), cube(0, -2, FLUID), cube(HOOK.x, -1.5, heavy)];
+    const cube = (x: number, y: number, density: number, linearDrag = 1.5) =>
+      spawn(world, { position: { x, y }, velocity: {}, mass: density, hull, linearDrag });
+    const [floating, hovering] = [cube(-3, 0.4, light), cube(0, -2, FLUID)];
+    const hanging = cube(HOOK.x, -1.5, heavy, DRAG * heavy);
+    const stiffness = STIFFNESS * heavy;
     const hook = spawn(world, { position: HOOK });
-    spawn(world, { spring: { a: hook, b: hanging, stiffness: STIFFNESS, length: LENGTH } });
-    const balance = () => STIFFNESS * (distanceBetween(positionOf(world, hanging), HOOK) - LENGTH);
+    spawn(world, { spring: { a: hook, b: hanging, stiffness, length: LENGTH } });
+    const balance = () => stiffness * (distanceBetween(positionOf(world, hanging), HOOK) - LENGTH);
     const immersed = () => Math.min(1, Math.max(0, 0.5 - positionOf(world, floating).y / (2 * HALF)));
     return { world, dt: 1 / 60, floating, hovering, hanging, balance, immersed };
   },
@@ -83,6 +87,6 @@ export default defineExample({
   ],
   tryThis: [
     'Set the density of the first to 0.5: it floats with half of it under water.',
-    'Choose “Cork and lead”: the balance shows three quarters of the weight in air.',
+    'Choose “Cork and lead”: in water lead keeps nine tenths of its weight, 10.3 of 11.3.',
   ],
 });

@@ -7,11 +7,11 @@ const [BODY, HEAD] = [20, 10];
 
 export default defineExample({
   id: 'ch08-stickman',
-  title: 'The man on the bungee rope',
+  title: 'A man made of two discs',
   chapter: 8,
   tags: ['drawing', 'components'],
   about:
-    'Two discs are enough to see a man: a body, and a head on it. Together they are one body, whose centre of mass lies between them, nearer to the larger disc. Let him turn somersaults: that point alone stays where it is.',
+    'Two discs are enough to see a man: a body, and a head on it. Together they are one body, whose centre of mass lies between them, nearer to the larger disc. Let him turn somersaults: that point alone stays where it is. “A bungee jump” ties him to a cord.',
   duration: 5,
   parameters: {
     spin: { label: 'Angular velocity', unit: 'rad/s', initial: 2, min: -6, max: 6 },
