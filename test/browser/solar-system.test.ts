@@ -122,7 +122,7 @@ it('plots energies in its own units, as masses are G m', async () => {
   const page = await open('manual');
   await steps(page, 30);
   const names = page.locator('.game-card h2 span').first();
-  await expect.poll(() => names.textContent(), { timeout: 10_000 }).toContain('GM km²/s²');
+  await expect.poll(() => names.textContent(), { timeout: 10_000 }).toContain('km⁵/s⁴');
   expect(await names.textContent()).not.toContain('J');
 });
 
