@@ -41,6 +41,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   warnAboutColorOf(world, checked);
   const components = shape === undefined ? checked : withShape(checked, storeShape(world, shape));
   const ids = new Uint32Array(count);
+  world.internal.spawning++;
   try {
     const names = components.map(({ name }) => name);
     createEntities(world, names, ids, progress);
@@ -51,6 +52,8 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   } catch (error) {
     undoSpawn(world, ids);
     throw error;
+  } finally {
+    world.internal.spawning--;
   }
   return belongsTo(world, ids);
 }

@@ -38,17 +38,21 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
   const checked = checkBody(world, resolved);
   ensureCapacity(world, 1);
   if (shape !== undefined) setIndex(world, checked, shape);
-  const eid = addEntity(world);
+  const { internal } = world;
+  let eid = 0;
+  internal.spawning++;
   try {
+    eid = addEntity(world);
     for (const [name, values] of checked) {
-      world.internal.checked = values;
+      internal.checked = values;
       addComponent(world, eid, set(world.components[name], values));
     }
   } catch (error) {
-    removeEntityCompletely(world, eid);
+    if (eid > 0) removeEntityCompletely(world, eid);
     throw error;
   } finally {
-    world.internal.checked = undefined;
+    internal.checked = undefined;
+    internal.spawning--;
   }
   return eid;
 }

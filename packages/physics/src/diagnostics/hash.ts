@@ -1,4 +1,4 @@
-import { shapePool } from '../collision/shapes/shape-pool.ts';
+import { shapePool, shapesOfBodies } from '../collision/shapes/shape-pool.ts';
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
 import { isInFirstWord } from '../components/membership.ts';
@@ -12,7 +12,7 @@ function usesSecondWord(counts: Readonly<Record<ComponentName, number>>): boolea
 
 /**
  * Returns a 64-bit hash of the state of the bodies as 16 hexadecimal digits: which components each entity has, every column up to the
- * highest entity in use, of the package's components and of your own, and the shapes. Equal states give equal hashes on every JavaScript
+ * highest entity in use, of the package's components and of your own, and the shapes that bodies have. Equal states give equal hashes on every JavaScript
  * engine; -0 counts as 0. Time, emitters, random streams, contacts, sleep, forces and kept objects are not in it: docs/determinism.md says how
  * players compare their worlds.
  * @throws PhysicsError E_DESTROYED
@@ -32,10 +32,19 @@ export function stateHash(world: PhysicsWorld): string {
   ownComponents.forEach((own, component) => {
     hashColumns(world, component, own.addresses, rows);
   });
-  const { at, count } = shapePool(world);
-  if (count > 1) kernels.hashWords(at, (count * SHAPE_BYTES[world.precision]) / 4);
+  hashShapes(world);
   const hex = (word: number) => (word >>> 0).toString(16).padStart(8, '0');
   return hex(kernels.hashHigh()) + hex(kernels.hashLow());
+}
+
+/** A world that once had other shapes hashes as one that never had. */
+function hashShapes(world: PhysicsWorld): void {
+  const { at, count } = shapePool(world);
+  if (count === 1) return;
+  const used = shapesOfBodies(world);
+  if (used.size === 1) return;
+  const bytes = SHAPE_BYTES[world.precision];
+  for (let i = 0; i < count; i++) if (used.has(i)) world.kernels.hashWords(at + i * bytes, bytes / 4);
 }
 
 function hashColumns({ kernels }: PhysicsWorld, { fields }: ComponentSpec, addresses: object, rows: number): void {

@@ -212,6 +212,7 @@ function initialInternals(components: Components) {
     bitecsIdentity: undefined,
     justAdded: zeros(),
     checked: undefined,
+    spawning: 0,
     unobserved: new Set(),
     templates: new Map(),
     recordsContacts: false,

@@ -372,6 +372,8 @@ export interface WorldInternals {
   readonly justAdded: Record<ComponentName, number>;
   /** Values that `spawn` has validated and is about to set. */
   checked: FieldValues | undefined;
+  /** Number of calls of `spawn` and `spawnMany` whose bodies are not complete: an observer of one may call the next. */
+  spawning: number;
   /** bitECS's queries of our components whose additions only the engine observes. */
   readonly unobserved: Set<Query>;
   /** Component values that prefabs pass to their instances. */

@@ -6,7 +6,7 @@ import { SHAPE_BYTES } from '../../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 import { MAX_VERTICES } from './2d/limits.ts';
 import { type Shape, ShapeKind } from './2d/shape.ts';
-import { type ShapePool, shapePool } from './shape-pool.ts';
+import { type ShapePool, shapePool, shapesOfBodies } from './shape-pool.ts';
 
 /** Records that a pool has at first; it moves to twice the room when they are used up. */
 const FIRST_CAPACITY = 256;
@@ -22,23 +22,75 @@ const INTEGER_BYTES = 16;
 export function shapeIndex(world: PhysicsWorld, shape: Shape): number {
   if (shape.kind === 'circle') return 0;
   const pool = shapePool(world);
+  forgetSettled(world, pool);
   const { neighbours = [] } = shape;
   const key = `${shape.kind} ${shape.radius} ${shape.vertices.join(' ')} | ${neighbours.join(' ')}`;
-  const known = pool.indices.get(key);
-  if (known !== undefined) return known;
-  if (pool.count >= pool.capacity) growPool(world, pool);
-  const index = pool.count++;
-  writeShape(world, pool.at + index * SHAPE_BYTES[world.precision], shape);
-  pool.indices.set(key, index);
-  pool.shapes.push(shape);
-  writeShapePool(world.memory, pool.at, pool.count);
+  let index = pool.indices.get(key);
+  if (index === undefined) {
+    index = freeIndex(world, pool);
+    writeShape(world, pool.at + index * SHAPE_BYTES[world.precision], shape);
+    pool.indices.set(key, index);
+    pool.shapes[index] = shape;
+    resize(world, pool);
+  }
+  pool.recent.add(index);
   return index;
 }
 
-function growPool(world: PhysicsWorld, pool: ShapePool): void {
+/** Every shape of an earlier step, or of an earlier call outside a step, is in the column of its body. */
+function forgetSettled({ state, tick, internal }: PhysicsWorld, pool: ShapePool): void {
+  const isSettled = state === 'idle' || (state === 'stepping' && tick !== pool.tick);
+  if (isSettled && internal.spawning === 0) pool.recent.clear();
+  pool.tick = tick;
+}
+
+function freeIndex(world: PhysicsWorld, pool: ShapePool): number {
+  const { shapes, indices } = pool;
+  const isFull = () => indices.size + 1 >= pool.capacity;
+  if (isFull()) {
+    clearUnused(world, pool);
+    // Where few records were free, the next search would soon follow.
+    if (indices.size >= 0.75 * pool.capacity) growPool(world, pool, isFull());
+  }
+  const gap = indices.size + 1 < shapes.length ? shapes.indexOf(undefined, 1) : -1;
+  return gap > 0 ? gap : shapes.length;
+}
+
+/** Clears the records of shapes that no body has, no prefab, and no body that is about to appear. */
+function clearUnused(world: PhysicsWorld, pool: ShapePool): void {
+  const { memory, precision, internal } = world;
+  const used = shapesOfBodies(world);
+  for (const index of pool.recent) used.add(index);
+  for (const { Collider } of internal.templates.values()) if (Collider !== undefined) used.add(Collider.shape);
+  const bytes = SHAPE_BYTES[precision];
+  for (const [key, index] of pool.indices) {
+    if (used.has(index)) continue;
+    pool.indices.delete(key);
+    pool.shapes[index] = undefined;
+    new Uint8Array(memory.buffer, pool.at + index * bytes, bytes).fill(0);
+  }
+  resize(world, pool);
+}
+
+/** Brings the number of records up to date, which ends with the last one in use. */
+function resize({ memory }: PhysicsWorld, pool: ShapePool): void {
+  const { shapes } = pool;
+  while (shapes.length > 1 && shapes[shapes.length - 1] === undefined) shapes.pop();
+  pool.count = shapes.length;
+  writeShapePool(memory, pool.at, pool.count);
+}
+
+/** @param isNeeded whether a lack of memory is an error */
+function growPool(world: PhysicsWorld, pool: ShapePool, isNeeded: boolean): void {
   const { internal, memory, precision } = world;
   const capacity = Math.max(FIRST_CAPACITY, 2 * pool.capacity);
-  const at = allocate(internal.arena, capacity * SHAPE_BYTES[precision], `${capacity} shapes`);
+  let at: number;
+  try {
+    at = allocate(internal.arena, capacity * SHAPE_BYTES[precision], `${capacity} shapes`);
+  } catch (error) {
+    if (isNeeded) throw error;
+    return;
+  }
   new Uint8Array(memory.buffer).copyWithin(at, pool.at, pool.at + pool.capacity * SHAPE_BYTES[precision]);
   pool.at = at;
   pool.capacity = capacity;
