@@ -10,7 +10,7 @@ import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertOutsideStep, assertUsable } from '../ecs/guards.ts';
 import { belongsTo } from '../ecs/id-lists.ts';
 import { countPartialEntities } from '../ecs/partial-entities.ts';
-import { cleanRow } from '../ecs/rows.ts';
+import { cleanRow, noteNewPart } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkWhole, isRecord, mustBe } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -138,6 +138,7 @@ function finish(world: PhysicsWorld, components: readonly ComponentValues[], ids
     if (components.length > 0 && eid > world.lastId) world.internal.lastId = eid;
   }
   countPartialEntities(world, 0, first, ids.length);
+  if (components.some(({ name }) => name === 'Attachment')) for (const id of ids) noteNewPart(world, id);
   versions.membership++;
   versions.style++;
   versions.pose++;

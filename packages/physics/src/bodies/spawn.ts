@@ -12,7 +12,7 @@ import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import type { BodyInput } from './body-input.ts';
 import { type ResolvedInput, resolveShape } from './collider-shape.ts';
-import { removeOrphanedParts } from './parts.ts';
+import { removeWithParts } from './parts.ts';
 
 const NAME_OF_KEY = new Map<string, ComponentName>(COMPONENT_NAMES.map((name) => [keyOf(name), name]));
 
@@ -103,14 +103,6 @@ export function despawn(world: PhysicsWorld, eid: number): void {
   }
   if (!hasAnyComponent(world, eid)) throw noBody(eid);
   removeWithParts(world, eid);
-}
-
-function removeWithParts(world: PhysicsWorld, eid: number): void {
-  try {
-    removeEntityCompletely(world, eid);
-  } finally {
-    removeOrphanedParts(world);
-  }
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {

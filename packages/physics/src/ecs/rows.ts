@@ -64,9 +64,17 @@ export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, 
   if (!isOpen(world, eid, name)) return;
   const columns: Columns = world.components[name];
   for (const field of Object.keys(values)) columns[field][eid] = values[field];
+  if (name === 'Attachment' && values.body > 0) noteNewPart(world, eid);
   if (name in world.previous) teleport(world, eid);
   if (name === 'Collider' || (COMPONENTS[name] as ComponentSpec).visual) world.versions.style++;
   if (name === 'Position' || name === 'Velocity') release(world, eid);
+}
+
+/** So many new parts are noted; after more of them all parts are looked through. */
+export const MAX_NEW_PARTS = 4096;
+
+export function noteNewPart({ internal: { newParts } }: PhysicsWorld, part: number): void {
+  if (newParts.length < MAX_NEW_PARTS) newParts.push(part);
 }
 
 /** Ends the quarantine of a body whose values were corrected. */

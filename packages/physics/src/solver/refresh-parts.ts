@@ -27,11 +27,14 @@ export function refreshParts(world: PhysicsWorld): void {
   if (internal.counts.Attachment === 0 && words[Word.partCount] === 0) return;
   const list = partList(world);
   if (list.version === world.versions.membership) return;
-  removeOrphanedParts(world);
+  const { buffer } = world.memory;
+  refreshEntityList(world, list, 'Attachment', 0);
+  // A copy, because each that is removed changes the list.
+  removeOrphanedParts(world, new Uint32Array(buffer, list.ids, list.count).slice());
   refreshEntityList(world, list, 'Attachment', 0);
   words[Word.partIds] = list.ids;
   words[Word.partCount] = list.count;
-  const ids = new Uint32Array(world.memory.buffer, list.ids, list.count);
+  const ids = new Uint32Array(buffer, list.ids, list.count);
   try {
     for (const id of ids) checkPart(world, id);
     if (list.count > 0) checkJoints(world);

@@ -390,6 +390,8 @@ export interface WorldInternals {
   readonly warned: Set<string>;
   /** The plan and membership at the last check for warnings, and the steps since. */
   readonly reviewed: { plan: Plan | undefined; membership: number; stepsAgo: number };
+  /** Entities that became parts of compound bodies since bodies/parts.ts last looked, up to `MAX_NEW_PARTS`. */
+  readonly newParts: number[];
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   /** The value of `world.lastId`. */
   lastId: number;

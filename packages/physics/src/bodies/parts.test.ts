@@ -1,0 +1,104 @@
+// Which parts a body has, however bodies and parts came and went: compared with a look at every entity.
+import { addComponent, removeComponent, removeEntity, set } from 'bitecs';
+import { describe, expect, test } from 'vitest';
+import {
+  box,
+  createPhysicsWorld,
+  despawn,
+  isBody,
+  type PhysicsWorld,
+  partsOf,
+  restore,
+  rigidBodies,
+  snapshot,
+  spawn,
+  spawnCompound,
+  spawnMany,
+  step,
+} from '../index.ts';
+
+const make = (capacity = 1000) => createPhysicsWorld({ preset: rigidBodies, capacity });
+
+const compound = (world: PhysicsWorld, count: number) =>
+  spawnCompound(world, {
+    parts: Array.from({ length: count }, (_, i) => ({ shape: box(1, 1), x: i, density: 1 })),
+  });
+
+/** What `partsOf` says, by a look at every entity. */
+function searched({ components, internal, lastId }: PhysicsWorld, body: number): number[] {
+  const { body: of, bodyGeneration } = components.Attachment;
+  const ids = Array.from({ length: lastId }, (_, i) => i + 1);
+  return ids.filter((id) => of[id] === body && bodyGeneration[id] === internal.generations[body]);
+}
+
+const expectAll = (world: PhysicsWorld, bodies: Iterable<number>) => {
+  for (const body of bodies) expect(partsOf(world, body)).toEqual(searched(world, body));
+};
+
+describe('parts of a body are', () => {
+  test('those of its last life, while bodies and parts come and go', () => {
+    const world = make(4000);
+    const bodies = new Set<number>();
+    for (let i = 0; i < 900; i++) {
+      bodies.add(compound(world, 1 + ((i * 7) % 5)).body);
+      const [oldest] = bodies;
+      if (i % 3 > 0) {
+        expectAll(world, [oldest]);
+        const parts = partsOf(world, oldest);
+        despawn(world, oldest);
+        bodies.delete(oldest);
+        expect(parts.map((id) => isBody(world, id))).toEqual(parts.map(() => false));
+      }
+      if (i % 5 === 0) for (const part of partsOf(world, [...bodies][0]).slice(1)) despawn(world, part);
+    }
+    expectAll(world, bodies);
+  });
+
+  test('found when more were made than are noted', () => {
+    const world = make(20_000);
+    const first = compound(world, 2).body;
+    expectAll(world, [first]);
+    const made = Array.from({ length: 3000 }, () => compound(world, 3).body);
+    expectAll(world, [first, made[0], made[2999]]);
+    despawn(world, made[1500]);
+    expect(world.internal.counts.Attachment).toBe(2 + 2999 * 3);
+  });
+
+  test('also those that were attached by hand, in bulk, and to another body than before', () => {
+    const world = make();
+    const { Attachment } = world.components;
+    const [one, other] = [compound(world, 1).body, compound(world, 1).body];
+    const part = spawn(world, { position: {}, rotation: 0, collider: { shape: box(1, 1) } });
+    addComponent(world, part, set(Attachment, { body: one, x: 2 }));
+    spawnMany(world, 3, { position: {}, rotation: {}, collider: { shape: box(1, 1) }, attachment: { body: one } });
+    expectAll(world, [one, other]);
+    addComponent(world, part, set(Attachment, { body: other }));
+    expectAll(world, [one, other]);
+    expect(partsOf(world, other)).toContain(part);
+    removeComponent(world, part, Attachment);
+    expectAll(world, [one, other]);
+    despawn(world, other);
+    expect(isBody(world, part)).toBe(true);
+  });
+
+  test('those of a world that was brought back', () => {
+    const world = make();
+    const { body } = compound(world, 3);
+    const taken = snapshot(world);
+    despawn(world, partsOf(world, body)[1]);
+    const later = compound(world, 2).body;
+    expectAll(world, [body, later]);
+    restore(world, taken);
+    expectAll(world, [body]);
+    expect(partsOf(world, body).length).toBe(3);
+  });
+
+  test('gone after the next step where bitECS removed the body', () => {
+    const world = make();
+    const { body, parts } = compound(world, 3);
+    const rest = compound(world, 2);
+    removeEntity(world, body);
+    step(world, 1 / 60);
+    expect([...parts, ...rest.parts].map((id) => isBody(world, id))).toEqual([false, false, false, true, true]);
+  });
+});
