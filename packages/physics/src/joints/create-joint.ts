@@ -51,9 +51,10 @@ export function createJoint(world: PhysicsWorld, joint: JointInput): number {
 function valuesOf(world: PhysicsWorld, joint: JointInput, a: number, b: number): Record<string, number> {
   const { kind, axis, fields, ...points } = joint;
   const angles = world.components.Rotation.angle;
-  // The world has no centre: a body that is joined to it is held where it is.
   const anchorB = placeOf(world, joint.b, points.anchorB);
-  const anchorA = a === 0 && points.anchorA === undefined ? anchorB : placeOf(world, joint.a, points.anchorA);
+  // The world has no centre: a body that is joined to it is held where it is, and so is one that a motor joint drives.
+  const isHeld = (a === 0 || kind === MOTOR) && points.anchorA === undefined;
+  const anchorA = isHeld ? anchorB : placeOf(world, joint.a, points.anchorA);
   const localA = toLocal(world, a, anchorA);
   const localB = toLocal(world, b, anchorB);
   const values: Record<string, number> = {
@@ -78,6 +79,7 @@ function valuesOf(world: PhysicsWorld, joint: JointInput, a: number, b: number):
 
 const GEAR = JOINT_KINDS.indexOf('gear');
 const PULLEY = JOINT_KINDS.indexOf('pulley');
+const MOTOR = JOINT_KINDS.indexOf('motor');
 
 /** The coordinate of a gear joint is 0 as the bodies are now. An axis makes b a rack, which moves along it. */
 function gearValues(

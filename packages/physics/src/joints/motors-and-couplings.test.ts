@@ -167,6 +167,20 @@ describe.each(['f32', 'f64'] as const)('motor joints in %s', (precision) => {
     expect(Math.abs(Rotation.angle[drone] - 0.5)).toBeLessThan(1e-3);
   });
 
+  test('a motor joint without a target leaves b where it is, and takes it along with a', () => {
+    const world = worldOfTen({ precision, forces: [] });
+    const { Position, Velocity } = world.components;
+    const cart = spawn(world, { position: {}, velocity: {}, rotation: 0, collider: { radius: 0.1, mask: 0 } });
+    const drone = disc(world, 1.5, 0.25);
+    createJoint(world, motorJoint({ a: cart, b: drone, spring: { hertz: 2 }, maxForce: 1e4, maxTorque: 1e4 }));
+    run(world, 2);
+    expect([Position.x[drone], Position.y[drone]]).toEqual([1.5, 0.25]);
+    Velocity.x[cart] = 1;
+    run(world, 5);
+    expect(Math.abs(Position.x[drone] - Position.x[cart] - 1.5)).toBeLessThan(0.01);
+    expect(Math.abs(Position.y[drone] - 0.25)).toBeLessThan(1e-6);
+  });
+
   test('a body that sleeps wakes when the target of its mouse joint moves', () => {
     const world = worldOfTen({ precision });
     spawn(world, { position: { y: -1 }, collider: { shape: box(20, 2) } });
