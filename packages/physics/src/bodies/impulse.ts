@@ -6,6 +6,7 @@
 //
 // An impulse is the limit of a large force for a short time: Goldstein, Classical Mechanics, section 1.1.
 
+import { warnAboutImpulse } from '#warnings';
 import { rotationKernels } from '../dynamics/rotation-kernels.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
@@ -27,7 +28,10 @@ export function applyImpulse(world: PhysicsWorld, id: number, impulse: VectorInp
   const p = point === undefined ? undefined : checkVector(point, 'point', POSITION_BOUNDS);
   const { Mass, Velocity: v, Position, Inertia, AngularVelocity: w } = world.components;
   const mass = Mass.value[eid];
-  if (!(mass > 0) || isOpen(world, eid, 'Kinematic')) return;
+  if (!(mass > 0) || isOpen(world, eid, 'Kinematic')) {
+    warnAboutImpulse(world, eid);
+    return;
+  }
   const solid = world.dimensions === 3;
   v.x[eid] += j.x / mass;
   v.y[eid] += j.y / mass;

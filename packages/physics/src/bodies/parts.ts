@@ -1,4 +1,5 @@
 // Parts of compound bodies, as entities: which body a part belongs to, and their removal with it.
+import { notePartRemoved } from '#warnings';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { assertBody } from '../ecs/entity-ref.ts';
 import { isOpen, MAX_NEW_PARTS } from '../ecs/rows.ts';
@@ -73,6 +74,7 @@ export function partsOf(world: PhysicsWorld, body: number): number[] {
  */
 export function removeWithParts(world: PhysicsWorld, eid: number): void {
   const parts = world.internal.counts.Attachment === 0 ? [] : attachedTo(world, eid);
+  if (isOpen(world, eid, 'Attachment')) notePartRemoved(world, world.components.Attachment.body[eid]);
   try {
     removeEntityCompletely(world, eid);
   } finally {

@@ -1,14 +1,92 @@
 // Warnings about joints that are made where they cannot stay.
 import { JOINT_KINDS } from '../components/joint.ts';
+import { bitInWord } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import { cos, sin } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { firstRow } from './first-row.ts';
 
 /** A joint may begin this far beyond its limits, m or rad: bodies are often placed by eye. */
 const LIMIT_TOLERANCE = 0.05;
 
+type Values = Readonly<Record<string, number>>;
+
+/** Joints that have had a motor or limits: they may be turned off and on. */
+const switched = new WeakMap<PhysicsWorld, { readonly motors: Set<number>; readonly limits: Set<number> }>();
+
+function switchedOf(world: PhysicsWorld) {
+  const found = switched.get(world) ?? { motors: new Set(), limits: new Set() };
+  switched.set(world, found);
+  return found;
+}
+
+/** Warns about a new joint. */
+export function warnAboutJoint(world: PhysicsWorld, joint: Values, id: number): void {
+  const { motors, limits } = switchedOf(world);
+  const note = (set: Set<number>, has: boolean) => (has ? set.add(id) : set.delete(id));
+  note(motors, joint.maxMotor > 0);
+  note(limits, joint.hasLimits === 1);
+  warnAboutLimits(world, joint);
+  warnAboutDegrees(world, joint);
+}
+
+/** Whole numbers beyond a turn are surely degrees. */
+function warnAboutDegrees(world: PhysicsWorld, { kind, hasLimits, lower, upper }: Values): void {
+  if (JOINT_KINDS[kind] !== 'revolute' || hasLimits !== 1) return;
+  const isDegrees = (limit: number) =>
+    Number.isInteger(limit) && Math.abs(limit) > 2 * Math.PI && limit > -1e6 && limit < 1e6;
+  const limit = [lower, upper].find(isDegrees);
+  if (limit === undefined) return;
+  const warning = {
+    message: `a hinge has the limit ${limit} rad, ${Math.round(Math.abs(limit) / (2 * Math.PI))} turns, which looks like degrees.`,
+    hint: `Angles are in radians: ${limit} degrees are ${Number(((limit * Math.PI) / 180).toPrecision(4))} rad.`,
+  };
+  warnOnce(world, warning, 'degrees');
+}
+
+/** Warns about joints that hold nothing that moves. Called when bodies or components came or went. */
+export function warnAboutJoints(world: PhysicsWorld): void {
+  if (world.internal.counts.Joint === 0) return;
+  const { members, moreMembers } = world.internal;
+  const { Joint, Mass } = world.components;
+  const isDriven = (id: number) => !(Mass.value[id] > 0) || (moreMembers[id] & bitInWord('Kinematic')) !== 0;
+  const isIdle = (id: number) => Joint.b[id] > 0 && isDriven(Joint.a[id]) && isDriven(Joint.b[id]);
+  const filter = JOINT_KINDS.indexOf('filter');
+  const idle = firstRow(world, (id) => isIdle(id) && Joint.kind[id] !== filter && (members[Joint.b[id]] & 1) === 1);
+  if (idle === 0) return;
+  const warning = {
+    message: `joint ${idle} moves nothing, because neither of its bodies has a mass that forces can move.`,
+    hint: 'Give one a mass, as by `collider: { density: 100 }`.',
+  };
+  warnOnce(world, warning, 'idle joint');
+}
+
+/** Fields that have no effect without another, which turns them on. */
+export function warnAboutStrayFields(world: PhysicsWorld): void {
+  const { Joint } = world.components;
+  const { motors, limits } = switchedOf(world);
+  const check = (on: ArrayLike<number>, known: Set<number>, isStray: (id: number) => boolean) => {
+    const joint = firstRow(world, (id) => {
+      if (on[id] > 0) known.add(id);
+      return isStray(id) && !known.has(id);
+    });
+    return Joint.b[joint] > 0 ? joint : 0;
+  };
+  const motor = check(Joint.maxMotor, motors, (id) => Joint.motorSpeed[id] !== 0);
+  if (motor > 0) {
+    const message = `Joint.motorSpeed of joint ${motor} has no effect, because the joint has no motor.`;
+    const hint = 'Make the joint with `motor: { speed: 0, max: 10 }`, or write Joint.maxMotor as well.';
+    warnOnce(world, { message, hint }, 'no motor');
+  }
+  const bounded = check(Joint.hasLimits, limits, (id) => Joint.lower[id] !== 0 || Joint.upper[id] !== 0);
+  if (bounded === 0) return;
+  const message = `Joint.lower and Joint.upper of joint ${bounded} have no effect, because the joint has no limits.`;
+  const hint = 'Make the joint with `limits: { lower: -1, upper: 1 }`, or write 1 to Joint.hasLimits as well.';
+  warnOnce(world, { message, hint }, 'no limits');
+}
+
 /** Warns if a new joint begins beyond its limits: the solver pulls it there at once, and the bodies keep the speed. */
-export function warnAboutLimits(world: PhysicsWorld, joint: Readonly<Record<string, number>>): void {
+function warnAboutLimits(world: PhysicsWorld, joint: Values): void {
   const kind = JOINT_KINDS[joint.kind];
   const isDistance = kind === 'distance';
   const now = isDistance ? anchorDistance(world, joint) : 0;

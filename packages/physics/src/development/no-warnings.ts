@@ -2,8 +2,12 @@
 import type * as warnings from './warnings.ts';
 
 export const printWarning: typeof warnings.printWarning = () => {};
+export const notePartRemoved: typeof warnings.notePartRemoved = () => {};
+export const warnAboutDeadRef: typeof warnings.warnAboutDeadRef = () => {};
+export const warnAboutImpulse: typeof warnings.warnAboutImpulse = () => {};
+export const warnAboutColumns: typeof warnings.warnAboutColumns = () => {};
 export const warnAboutFaults: typeof warnings.warnAboutFaults = () => {};
 export const warnAboutColor: typeof warnings.warnAboutColor = () => {};
 export const warnAboutDuration: typeof warnings.warnAboutDuration = () => {};
-export const warnAboutLimits: typeof warnings.warnAboutLimits = () => {};
+export const warnAboutJoint: typeof warnings.warnAboutJoint = () => {};
 export const warnAboutWorld: typeof warnings.warnAboutWorld = () => {};

@@ -4,10 +4,13 @@ import type { ComponentName } from '../components/all.ts';
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld, Plan, Warning } from '../world/types.ts';
+import { warnAboutBodies, warnAboutMotionByHand } from './body-warnings.ts';
 import { firstRow } from './first-row.ts';
 import { constantsOf, warnAboutForces } from './force-warnings.ts';
+import { warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
 
-export { warnAboutLimits } from './joint-warnings.ts';
+export { notePartRemoved, warnAboutDeadRef, warnAboutImpulse } from './body-warnings.ts';
+export { warnAboutJoint } from './joint-warnings.ts';
 
 /** The default of `world.onWarning`. */
 export function printWarning({ message, hint }: Warning): void {
@@ -79,6 +82,17 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutBodiesThatStandStill(world);
   warnAboutBodiesThatDoNotTurn(world);
   warnAboutSmallBodies(world, dt);
+  warnAboutBodies(world);
+  warnAboutJoints(world);
+}
+
+/** Columns of joints are looked at once in so many steps: no change of them is announced. */
+const STEPS_BETWEEN = 32;
+
+/** Warns about what is written to columns between steps and does not do what it is meant to. */
+export function warnAboutColumns(world: PhysicsWorld): void {
+  warnAboutMotionByHand(world);
+  if (world.internal.counts.Joint > 0 && world.tick % STEPS_BETWEEN === 0) warnAboutStrayFields(world);
 }
 
 function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {

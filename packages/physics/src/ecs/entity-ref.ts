@@ -1,4 +1,5 @@
 import { entityExists } from 'bitecs';
+import { warnAboutDeadRef } from '#warnings';
 import { bitOf } from '../components/membership.ts';
 import { describe, PhysicsError } from '../errors/physics-error.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -64,8 +65,9 @@ export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
   assertUsable(world);
   if (!Number.isSafeInteger(ref)) return false;
   const eid = ref % ID_SPAN;
-  if (!hasBody(world, eid) || generationOf(world, eid) !== Math.floor(ref / ID_SPAN)) return false;
-  return !isLeaving(world, eid);
+  const isThere = hasBody(world, eid) && generationOf(world, eid) === Math.floor(ref / ID_SPAN);
+  if (!isThere) warnAboutDeadRef(world, ref);
+  return isThere && !isLeaving(world, eid);
 }
 
 /**
@@ -116,6 +118,9 @@ export function assertBody(world: PhysicsWorld, eid: number): void {
   if (world.state === 'stepping' && exists) {
     const hint = 'Pass its values to `spawn`, and do the rest after the step.';
     throw staleError(eid, `body ${eid} was spawned during this step and can be used only after it.`, hint);
+  }
+  if (exists && isRowUsed(world, eid)) {
+    throw staleError(eid, `entity ${eid} is no body, because it has no Position.`, 'Spawn it with `position: {}`.');
   }
   throw noBody(eid);
 }

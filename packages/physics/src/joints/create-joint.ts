@@ -1,5 +1,5 @@
 // Joints as entities. What a joint does is in kernels/joints/2d.
-import { warnAboutLimits } from '#warnings';
+import { warnAboutJoint } from '#warnings';
 import { bodyOf } from '../bodies/parts.ts';
 import { despawn, spawn } from '../bodies/spawn.ts';
 import { JOINT_KINDS } from '../components/joint.ts';
@@ -43,7 +43,7 @@ export function createJoint(world: PhysicsWorld, joint: JointInput): number {
   const b = bodyOf(world, joint.b);
   const values = valuesOf(world, joint, a, b);
   const id = spawn(world, { joint: values });
-  warnAboutLimits(world, values);
+  warnAboutJoint(world, values, id);
   return id;
 }
 

@@ -1,4 +1,4 @@
-import { warnAboutDuration, warnAboutFaults, warnAboutWorld } from '#warnings';
+import { warnAboutColumns, warnAboutDuration, warnAboutFaults, warnAboutWorld } from '#warnings';
 import { prepareForces } from '../dynamics/evaluate-forces.ts';
 import { prepareLoops } from '../dynamics/fused-step.ts';
 import { validateCoefficients } from '../dynamics/validate-coefficients.ts';
@@ -63,6 +63,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   applyDeferredEdits(world);
   world.state = 'idle';
   review(world, plan, dt);
+  warnAboutColumns(world);
   warnAboutFaults(world, hasHandlers(world, 'fault'));
   if (world.internal.ending) destroyWorld(world);
   throwStepErrors(world);

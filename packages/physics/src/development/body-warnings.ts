@@ -1,0 +1,120 @@
+// Warnings about bodies whose parts or columns were changed in a way that is surely not meant.
+import { bitInWord, bitOf } from '../components/membership.ts';
+import { warnOnce } from '../errors/warn-once.ts';
+import type { PhysicsWorld } from '../world/types.ts';
+import { firstRow } from './first-row.ts';
+
+/** Bodies that lost a part since the last look, by world. */
+const cutBodies = new WeakMap<PhysicsWorld, Set<number>>();
+
+/** Notes that a part of a body was despawned. */
+export function notePartRemoved(world: PhysicsWorld, body: number): void {
+  const cut = cutBodies.get(world);
+  if (cut === undefined) cutBodies.set(world, new Set([body]));
+  else cut.add(body);
+}
+
+/** Called when bodies or components came or went. */
+export function warnAboutBodies(world: PhysicsWorld): void {
+  warnAboutEmptyCompounds(world);
+  findKinematic(world);
+}
+
+/** Warns about an impulse on a body that none can move. */
+export function warnAboutImpulse(world: PhysicsWorld, body: number): void {
+  const isKinematic = (world.internal.moreMembers[body] & bitInWord('Kinematic')) !== 0;
+  const warning = {
+    message: `an impulse was applied to body ${body}, which ${isKinematic ? 'is kinematic' : 'has no mass'} and is not moved by it.`,
+    hint: isKinematic
+      ? 'Write its Velocity, or remove Kinematic.'
+      : 'Give it a mass, as by `collider: { density: 100 }`; to hit only what moves, ask for Mass.value[id] > 0.',
+  };
+  warnOnce(world, warning, 'impulse without effect');
+}
+
+/** Warns about the id of a body in the place of a reference, which no reference of a world after the first is. */
+export function warnAboutDeadRef(world: PhysicsWorld, ref: number): void {
+  const { members, firstGeneration } = world.internal;
+  if (firstGeneration === 0 || !(ref <= world.capacity) || (members[ref] & bitOf('Position')) === 0) return;
+  const warning = {
+    message: `isAlive got ${ref}, which is the id of a body, and not a reference of this world.`,
+    hint: 'Keep entityRef(world, id) and pass that; of an id ask isBody(world, id).',
+  };
+  warnOnce(world, warning, 'isAlive of an id');
+}
+
+/** A body of velocity 0 that is in another place after each of so many steps is moved by hand. */
+const STEPS_BY_HAND = 20;
+
+/** So many bodies are watched. */
+const MAX_WATCHED = 64;
+
+interface Watched {
+  readonly id: number;
+  x: number;
+  y: number;
+  steps: number;
+}
+
+const watched = new WeakMap<PhysicsWorld, readonly Watched[]>();
+
+/** Finds the bodies without mass or with Kinematic that others may rest on, and that have a velocity. */
+function findKinematic(world: PhysicsWorld): void {
+  if (world.integrator.solvesWalls !== true) return;
+  const { members, moreMembers } = world.internal;
+  const { Collider, Mass, Position } = world.components;
+  const [solid, driven] = [bitOf('Position') | bitOf('Velocity') | bitOf('Collider'), bitInWord('Kinematic')];
+  const found: Watched[] = [];
+  firstRow(world, (id) => {
+    if ((members[id] & solid) !== solid || Collider.sensor[id] !== 0) return false;
+    if (Mass.value[id] > 0 && (moreMembers[id] & driven) === 0) return false;
+    return found.push({ id, x: Position.x[id], y: Position.y[id], steps: 0 }) === MAX_WATCHED;
+  });
+  watched.set(world, found);
+}
+
+/** Called after each step. */
+export function warnAboutMotionByHand(world: PhysicsWorld): void {
+  const bodies = watched.get(world);
+  if (bodies === undefined || bodies.length === 0) return;
+  const { Position, Velocity } = world.components;
+  for (const body of bodies) {
+    const { id } = body;
+    const [x, y] = [Position.x[id], Position.y[id]];
+    const isMoved = (x !== body.x || y !== body.y) && Velocity.x[id] === 0 && Velocity.y[id] === 0;
+    body.steps = isMoved ? body.steps + 1 : 0;
+    body.x = x;
+    body.y = y;
+    if (body.steps < STEPS_BY_HAND) continue;
+    const warning = {
+      message: `body ${id} has no velocity and its Position is written before each step: what lies on it stays behind, and what it hits gets no speed from it.`,
+      hint: 'Write its Velocity, (target - position) / dt, and the step moves it.',
+    };
+    warnOnce(world, warning, 'moved by hand');
+    watched.delete(world);
+    return;
+  }
+}
+
+function warnAboutEmptyCompounds(world: PhysicsWorld): void {
+  const cut = cutBodies.get(world);
+  if (cut === undefined) return;
+  cutBodies.delete(world);
+  const { members } = world.internal;
+  const { Attachment, Mass } = world.components;
+  const [position, shown] = [bitOf('Position'), bitOf('Collider')];
+  const isBare = (id: number) => (members[id] & (position | shown)) === position && Mass.value[id] > 0;
+  const bare = new Set([...cut].filter(isBare));
+  if (bare.size === 0) return;
+  firstRow(world, (id) => {
+    if ((members[id] & bitOf('Attachment')) !== 0) bare.delete(Attachment.body[id]);
+    return false;
+  });
+  const [empty] = bare;
+  if (empty === undefined) return;
+  const warning = {
+    message: `body ${empty} has lost the last of its parts, and moves on as a body that meets nothing.`,
+    hint: 'Despawn it as well, with the last part: partsOf(world, body) lists those that are left.',
+  };
+  warnOnce(world, warning, 'no parts');
+}
