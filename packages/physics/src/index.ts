@@ -147,7 +147,7 @@ export { yoshida4 } from './integrators/yoshida4.ts';
 export { yoshida6 } from './integrators/yoshida6.ts';
 export { createJoint, endedJoints, jointForce, jointTorque } from './joints/create-joint.ts';
 export { type DistanceOptions, distance } from './joints/distance.ts';
-export { filterJoint } from './joints/filter-joint.ts';
+export { type FilterJointOptions, filterJoint } from './joints/filter-joint.ts';
 export { type GearOptions, gear } from './joints/gear.ts';
 export type { JointInput, JointLimits, JointMotor, JointOptions, JointSpring } from './joints/joint-input.ts';
 export { jointPosition } from './joints/joint-position.ts';

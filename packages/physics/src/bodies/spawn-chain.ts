@@ -11,8 +11,8 @@ import { spawn } from './spawn.ts';
 export type ChainSurface = Omit<Exclude<NonNullable<BodyInput['collider']>, number>, 'shape' | 'radius' | 'density'>;
 
 /**
- * Makes the ground of a level: one static body for each segment of a `chain`, along which other bodies slide without
- * catching on its points.
+ * Makes the ground of a level, with points from right to left: bodies fall through one from left to right. It is one static body for
+ * each segment of a `chain`, along which other bodies slide without catching on its points.
  * @param points m, with what is solid to the left of their direction: a floor leads from right to left
  * @param surface friction, restitution and so on
  * @returns the ids of the bodies, in order along the chain

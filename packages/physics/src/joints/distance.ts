@@ -9,9 +9,9 @@ import {
 } from './joint-input.ts';
 
 export interface DistanceOptions extends JointOptions {
-  /** Points of a and b, m, in world coordinates; default their centres. */
+  /** Point of a, m, in world coordinates; default its centre, and where b is held to the world the point of b. */
   readonly anchorA?: VectorInput;
-  /** Default the centre of b. */
+  /** Point of b, m, in world coordinates; default its centre. */
   readonly anchorB?: VectorInput;
   /** Length, m; default the distance of the points now. */
   readonly length?: number;

@@ -1,7 +1,8 @@
 import type { VectorInput } from '../errors/validate.ts';
-import { describeJoint, type JointInput, type JointOptions } from './joint-input.ts';
+import { describeJoint, type EveryJointOptions, type JointInput } from './joint-input.ts';
 
-export interface GearOptions extends JointOptions {
+export interface GearOptions extends EveryJointOptions {
+  /** The first body, by id: the pinion of a rack. */
   readonly a: number;
   /** Angle by which b turns for each radian of a: negative for two wheels whose teeth mesh. Of a rack, metres. */
   readonly ratio: number;

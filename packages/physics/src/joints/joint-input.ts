@@ -5,9 +5,9 @@ import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole, type Vector
 
 /** Bounds of the free coordinate of a joint, m or rad; one that is left out is not there. */
 export interface JointLimits {
-  /** Default none. */
+  /** The least value; default none. */
   readonly lower?: number;
-  /** Default none. */
+  /** The greatest value; default none. */
   readonly upper?: number;
 }
 
@@ -29,10 +29,14 @@ export interface JointMotor {
   readonly max: number;
 }
 
-/** The options of every joint. */
-export interface JointOptions {
+/** The options of joints that may hold b to the world. */
+export interface JointOptions extends EveryJointOptions {
   /** The first body, by id, which may be static. Default the world: b is joined to it. */
   readonly a?: number;
+}
+
+/** The options of every joint. */
+export interface EveryJointOptions {
   /** The second body, by id. */
   readonly b: number;
   /** Whether the two bodies collide with each other; default false. */

@@ -1,12 +1,18 @@
 import type { VectorInput } from '../errors/validate.ts';
-import { describeJoint, type JointInput, type JointOptions, type JointSpring } from './joint-input.ts';
+import {
+  describeJoint,
+  type EveryJointOptions,
+  type JointInput,
+  type JointOptions,
+  type JointSpring,
+} from './joint-input.ts';
 
 export interface MotorJointOptions extends JointOptions {
   /** Point of b that is driven, m, in world coordinates; default its centre. */
   readonly anchor?: VectorInput;
   /** Where it is driven to, m, in world coordinates; default where it is now. It moves with a. */
   readonly target?: VectorInput;
-  /** Angle by which b is to turn against a from how they are now, rad; default 0. */
+  /** Angle to which b is turned against a, from how they are now, rad; default 0. */
   readonly turn?: number;
   /** How b approaches; default 1 Hz, critically damped. With `hertz: 0` b is stopped against a wherever it is. */
   readonly spring?: JointSpring;
@@ -29,7 +35,7 @@ export function motorJoint(options: MotorJointOptions): JointInput {
   return describeJoint('motorJoint', filled, names);
 }
 
-export interface MouseJointOptions extends Omit<JointOptions, 'a'> {
+export interface MouseJointOptions extends EveryJointOptions {
   /** Point of b that is pulled, m, in world coordinates; default its centre. */
   readonly anchor?: VectorInput;
   /** Where it is pulled to, m, in world coordinates. The columns `Joint.ax` and `Joint.ay` move it. */

@@ -1,14 +1,16 @@
 import type { VectorInput } from '../errors/validate.ts';
-import { describeJoint, type JointInput, type JointOptions } from './joint-input.ts';
+import { describeJoint, type EveryJointOptions, type JointInput } from './joint-input.ts';
 
-export interface PulleyOptions extends JointOptions {
+export interface PulleyOptions extends EveryJointOptions {
+  /** The first body, by id. */
   readonly a: number;
-  /** Where the rope leaves the two wheels, m, in world coordinates. */
+  /** Where the rope leaves the wheel above a, m, in world coordinates; it does not move with anything. */
   readonly pulleyA: VectorInput;
+  /** Where it leaves the wheel above b. */
   readonly pulleyB: VectorInput;
-  /** Where it is tied to a and b, m, in world coordinates; default their centres. */
+  /** Where it is tied to a, m, in world coordinates; default its centre. */
   readonly anchorA?: VectorInput;
-  /** Default the centre of b. */
+  /** Where it is tied to b, m, in world coordinates; default its centre. */
   readonly anchorB?: VectorInput;
   /** Metres of rope at a for one at b, as of a block and tackle; default 1. */
   readonly ratio?: number;

@@ -34,7 +34,7 @@ export interface Runner {
   /** Real time that was not simulated because a frame was too long, s. */
   readonly droppedTime: number;
   /**
-   * Runs the steps that fit into `elapsed` seconds of real time. If user code throws in a step, the remaining steps of
+   * Runs the steps that fit into `elapsed` seconds of real time; a part of them, as `0.2 * elapsed`, is slow motion. If user code throws in a step, the remaining steps of
    * this frame run at the next call.
    * @returns the number of steps
    * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for an invalid or negative time; E_REENTRANT inside a step or

@@ -12,9 +12,9 @@ export interface ChainOptions {
 }
 
 /**
- * A line of segments that bodies slide along as along one surface: they do not catch on the points between. They meet it
- * from the right of its direction only, so that an outline of something solid goes round anticlockwise, and a floor
- * leads from right to left. A chain that is not closed has no ends to catch on either.
+ * A line of segments that bodies meet from the right of its direction only: a floor leads from right to left, and bodies fall through
+ * one from left to right; an outline of something solid goes round anticlockwise. Bodies slide along it as along one
+ * surface, and do not catch on the points between. A chain that is not closed has no ends to catch on either.
  * @param points m, of any number
  * @returns one shape for each segment; its body belongs at the shape's `centre`, as `spawnChain` puts it
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE for fewer than two points (three of a closed chain),
