@@ -11,7 +11,6 @@ import { isOpen, teleport } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
-import { wake } from '../solver/sleep.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { compoundMass, type MassPart } from './compound-mass.ts';
 import { partsOf } from './parts.ts';
@@ -43,7 +42,6 @@ export function setCompoundDensity(
   moveCentre(world, body, sum.x, sum.y);
   for (const part of parts) [x[part], y[part]] = [x[part] - sum.x, y[part] - sum.y];
   shiftJoints(world, body, sum.x, sum.y);
-  wake(world, body);
 }
 
 function withoutMass(body: number, parts: number): PhysicsError {

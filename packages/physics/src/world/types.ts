@@ -346,10 +346,7 @@ export interface WorldInternals {
   readonly idsAt: number;
   readonly rangesAt: number;
   readonly counts: Record<ComponentName, number>;
-  /**
-   * Counts of entities with mass that forces cannot move, and of entities that have a velocity but no position or an
-   * angular velocity but no angle.
-   */
+  /** Counts of entities with mass that forces cannot move, and of those whose velocity or angular velocity has no pose to move. */
   readonly partialEntities: { immovable: number; withoutPose: number };
   /** Contacts with walls are recorded, for the contacts between bodies and for events. */
   recordsContacts: boolean;
