@@ -1,16 +1,15 @@
 // Creates many bodies at once, past bitECS's functions for one component of one entity; a test compares the result with
 // that of adding component by component.
+import { addEntity } from 'bitecs';
 import { warnAboutColor } from '#warnings';
 import { storeShape } from '../collision/shapes/2d/shape.ts';
 import type { ComponentName } from '../components/all.ts';
-import { bitsOf } from '../components/membership.ts';
-import { entityMaker, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
+import { componentGiver, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertOutsideStep, assertUsable } from '../ecs/guards.ts';
 import { belongsTo } from '../ecs/id-lists.ts';
-import { countPartialEntities } from '../ecs/partial-entities.ts';
-import { cleanRow, noteNewPart } from '../ecs/rows.ts';
+import { cleanRow, openRows } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkWhole, isRecord, mustBe } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -47,7 +46,7 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
     createEntities(world, names, ids, progress);
     writeColumns(world, components, ids);
     const changed = joinQueries(world, names, ids);
-    finish(world, components, ids);
+    openRows(world, names, ids);
     notifyObservers(changed, ids);
   } catch (error) {
     undoSpawn(world, ids);
@@ -70,10 +69,11 @@ function createEntities(
   progress: Progress | undefined,
 ): void {
   const count = ids.length;
-  const makeEntity = entityMaker(world, names);
+  const giveComponents = componentGiver(world, names);
   const used = world.lastId;
   for (let i = 0; i < count; i++) {
-    const eid = makeEntity();
+    const eid = addEntity(world);
+    giveComponents(eid);
     ids[i] = eid;
     if (eid > world.capacity) throw capacityError(world, count);
     if (eid <= used) cleanRow(world, eid);
@@ -125,21 +125,4 @@ function writeColumns(world: PhysicsWorld, components: readonly ComponentValues[
 function writeColumn(column: Float64Array, values: Column, ids: Uint32Array): void {
   if (typeof values === 'number') for (let i = 0; i < ids.length; i++) column[ids[i]] = values;
   else for (let i = 0; i < ids.length; i++) column[ids[i]] = values[i];
-}
-
-function finish(world: PhysicsWorld, components: readonly ComponentValues[], ids: Uint32Array): void {
-  const { internal, versions } = world;
-  const { first, second } = bitsOf(components.map(({ name }) => name));
-  for (const { name } of components) internal.counts[name] += ids.length;
-  for (let i = 0; i < ids.length; i++) {
-    const eid = ids[i];
-    internal.members[eid] |= first;
-    internal.moreMembers[eid] |= second;
-    if (components.length > 0 && eid > world.lastId) world.internal.lastId = eid;
-  }
-  countPartialEntities(world, 0, first, ids.length);
-  if (components.some(({ name }) => name === 'Attachment')) for (const id of ids) noteNewPart(world, id);
-  versions.membership++;
-  versions.style++;
-  versions.pose++;
 }

@@ -2,7 +2,7 @@
 import { removeComponent } from 'bitecs';
 import { COMPONENTS, type ComponentName } from '../components/all.ts';
 import type { ComponentSpec } from '../components/define.ts';
-import { BUILT_IN_BITS, bitInWord, isInFirstWord } from '../components/membership.ts';
+import { BUILT_IN_BITS, bitInWord, bitsOf, isInFirstWord } from '../components/membership.ts';
 import { type Columns, copyPose } from '../memory/previous-pose.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { countPartialEntities } from './partial-entities.ts';
@@ -40,6 +40,24 @@ export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): 
   if (eid > world.lastId) world.internal.lastId = eid;
   versions.membership++;
   writeRow(world, eid, name, initialValues(name));
+}
+
+/** Marks the rows of many new entities as in use. The caller writes all their columns. */
+export function openRows(world: PhysicsWorld, names: readonly ComponentName[], ids: Uint32Array): void {
+  const { internal, versions } = world;
+  const { first, second } = bitsOf(names);
+  for (const name of names) internal.counts[name] += ids.length;
+  for (let i = 0; i < ids.length; i++) {
+    const eid = ids[i];
+    internal.members[eid] |= first;
+    internal.moreMembers[eid] |= second;
+    if (names.length > 0 && eid > world.lastId) internal.lastId = eid;
+  }
+  countPartialEntities(world, 0, first, ids.length);
+  if (names.includes('Attachment')) for (const id of ids) noteNewPart(world, id);
+  versions.membership++;
+  versions.style++;
+  versions.pose++;
 }
 
 /**

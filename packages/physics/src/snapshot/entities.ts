@@ -1,7 +1,8 @@
 // Saves the entities of bitECS and restores them through bitECS itself, so that queries and observers are updated.
 import { addComponent, type ComponentRef, entityExists, removeComponent } from 'bitecs';
 import { COMPONENT_NAMES } from '../components/all.ts';
-import { bitInWord, isInFirstWord, type MemberBits } from '../components/membership.ts';
+import { BUILT_IN_BITS, bitInWord, isInFirstWord, type MemberBits } from '../components/membership.ts';
+import { componentGiver, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
 import {
   countEntities,
   isSameIndex,
@@ -12,7 +13,7 @@ import {
   writeIndex,
 } from '../ecs/bitecs/entity-index.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
-import { isOpen } from '../ecs/rows.ts';
+import { isOpen, isRowUsed, openRows } from '../ecs/rows.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The saved entities, in arrays that later snapshots reuse. */
@@ -64,7 +65,7 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
   if (!isSameIndex(world, saved)) {
     const savedIds = new Set(saved.dense.subarray(0, saved.alive));
     removeOthers(world, savedIds, attempt);
-    for (const eid of savedIds) if (!entityExists(world, eid)) recreateEntity(world, eid);
+    recreateMissing(world, saved, savedIds, attempt);
   }
   changeAllComponents(world, saved, attempt);
   // Observers may have created entities or changed components when they were notified of restored entities.
@@ -79,6 +80,33 @@ export function restoreEntities(world: PhysicsWorld, saved: SavedEntities): unkn
 
 /** Maximum number of rounds that undo edits by observers, because an observer may repeat its edit in every round. */
 const MAX_ROUNDS = 8;
+
+/** Entities that are gone come back with all their components at once, those of equal components together. */
+function recreateMissing(world: PhysicsWorld, saved: SavedEntities, ids: ReadonlySet<number>, attempt: Attempt): void {
+  const groups = new Map<string, number[]>();
+  for (const eid of ids) {
+    if (entityExists(world, eid)) continue;
+    recreateEntity(world, eid);
+    const key = eid < saved.rows ? `${saved.members[eid]} ${saved.moreMembers[eid] & BUILT_IN_BITS}` : '0 0';
+    const group = groups.get(key);
+    if (group === undefined) groups.set(key, [eid]);
+    else group.push(eid);
+  }
+  groups.delete('0 0');
+  for (const group of groups.values()) addSavedComponents(world, saved, Uint32Array.from(group), attempt);
+}
+
+function addSavedComponents(world: PhysicsWorld, saved: SavedEntities, group: Uint32Array, attempt: Attempt): void {
+  // An observer of an earlier group may have removed an entity of this one, or given it components.
+  const ids = group.filter((eid) => entityExists(world, eid) && !isRowUsed(world, eid));
+  if (ids.length === 0) return;
+  const [first, second] = [saved.members[ids[0]], saved.moreMembers[ids[0]]];
+  const names = COMPONENT_NAMES.filter((name) => ((isInFirstWord(name) ? first : second) & bitInWord(name)) !== 0);
+  const giveComponents = componentGiver(world, names);
+  for (const eid of ids) giveComponents(eid);
+  openRows(world, names, ids);
+  notifyObservers(joinQueries(world, names, ids), ids, attempt);
+}
 
 type Attempt = (act: () => void) => void;
 
