@@ -25,6 +25,7 @@ const GOOD: Record<string, object> = {
   mouseJoint: { b: 2, target: {}, maxForce: 1 },
   pulley: { a: 1, b: 2, pulleyA: {}, pulleyB: {} },
   gear: { a: 1, b: 2, ratio: 1 },
+  filterJoint: { a: 1, b: 2 },
   wisdomHolman: {},
   xpbd: {},
   boxWalls: { min: { x: -1 }, max: { x: 1 } },
