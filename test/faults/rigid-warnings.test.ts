@@ -37,7 +37,7 @@ function listen(options: PhysicsWorldOptions = {}) {
 }
 
 describe('a kinematic body', () => {
-  const lift = { position: {}, velocity: {}, kinematic: {}, collider: { shape: box(4, 0.2), friction: 1 } };
+  const lift = { position: {}, velocity: {}, kinematic: {}, collider: { shape: box(4, 0.2), density: 1 } };
 
   it('that is moved by its Position before each step', () => {
     const { world, run, messages } = listen({ forces: [uniformGravity()] });

@@ -1,8 +1,8 @@
 // Warnings about bodies whose parts or columns were changed in a way that is surely not meant.
-import { bitInWord, bitOf } from '../components/membership.ts';
+import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { firstRow } from './first-row.ts';
+import { firstRow, isKinematic } from './first-row.ts';
 
 /** Bodies that lost a part since the last look, by world. */
 const cutBodies = new WeakMap<PhysicsWorld, Set<number>>();
@@ -22,10 +22,10 @@ export function warnAboutBodies(world: PhysicsWorld): void {
 
 /** Warns about an impulse on a body that none can move. */
 export function warnAboutImpulse(world: PhysicsWorld, body: number): void {
-  const isKinematic = (world.internal.moreMembers[body] & bitInWord('Kinematic')) !== 0;
+  const isDriven = isKinematic(world, body);
   const warning = {
-    message: `an impulse was applied to body ${body}, which ${isKinematic ? 'is kinematic' : 'has no mass'} and is not moved by it.`,
-    hint: isKinematic
+    message: `an impulse was applied to body ${body}, which ${isDriven ? 'is kinematic' : 'has no mass'} and is not moved by it.`,
+    hint: isDriven
       ? 'Write its Velocity, or remove Kinematic.'
       : 'Give it a mass, as by `collider: { density: 100 }`; to hit only what moves, ask for Mass.value[id] > 0.',
   };
@@ -61,13 +61,13 @@ const watched = new WeakMap<PhysicsWorld, readonly Watched[]>();
 /** Finds the bodies without mass or with Kinematic that others may rest on, and that have a velocity. */
 function findKinematic(world: PhysicsWorld): void {
   if (world.integrator.solvesWalls !== true) return;
-  const { members, moreMembers } = world.internal;
+  const { members } = world.internal;
   const { Collider, Mass, Position } = world.components;
-  const [solid, driven] = [bitOf('Position') | bitOf('Velocity') | bitOf('Collider'), bitInWord('Kinematic')];
+  const solid = bitOf('Position') | bitOf('Velocity') | bitOf('Collider');
   const found: Watched[] = [];
   firstRow(world, (id) => {
     if ((members[id] & solid) !== solid || Collider.sensor[id] !== 0) return false;
-    if (Mass.value[id] > 0 && (moreMembers[id] & driven) === 0) return false;
+    if (Mass.value[id] > 0 && !isKinematic(world, id)) return false;
     return found.push({ id, x: Position.x[id], y: Position.y[id], steps: 0 }) === MAX_WATCHED;
   });
   watched.set(world, found);

@@ -1,10 +1,9 @@
 // Warnings about joints that are made where they cannot stay.
 import { JOINT_KINDS } from '../components/joint.ts';
-import { bitInWord } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import { cos, sin } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { firstRow } from './first-row.ts';
+import { firstRow, isKinematic } from './first-row.ts';
 
 /** A joint may begin this far beyond its limits, m or rad: bodies are often placed by eye. */
 const LIMIT_TOLERANCE = 0.05;
@@ -47,9 +46,9 @@ function warnAboutDegrees(world: PhysicsWorld, { kind, hasLimits, lower, upper }
 /** Warns about joints that hold nothing that moves. Called when bodies or components came or went. */
 export function warnAboutJoints(world: PhysicsWorld): void {
   if (world.internal.counts.Joint === 0) return;
-  const { members, moreMembers } = world.internal;
+  const { members } = world.internal;
   const { Joint, Mass } = world.components;
-  const isDriven = (id: number) => !(Mass.value[id] > 0) || (moreMembers[id] & bitInWord('Kinematic')) !== 0;
+  const isDriven = (id: number) => !(Mass.value[id] > 0) || isKinematic(world, id);
   const isIdle = (id: number) => Joint.b[id] > 0 && isDriven(Joint.a[id]) && isDriven(Joint.b[id]);
   const filter = JOINT_KINDS.indexOf('filter');
   const idle = firstRow(world, (id) => isIdle(id) && Joint.kind[id] !== filter && (members[Joint.b[id]] & 1) === 1);
