@@ -23,6 +23,14 @@ export interface ForceMemory<T> {
   of(world: PhysicsWorld): T;
   /** Gives the memory back; the next use creates the state again. */
   release(world: PhysicsWorld): void;
+  /** The key of the state among the resources of a world. */
+  readonly key: object;
+}
+
+/** The state of a force as encoded snapshots carry it: its address, and the blocks of memory that it owns. */
+export interface CarriedState {
+  readonly value: number;
+  readonly blocks: readonly Block[];
 }
 
 /** As `resource`, for the state of a force that may be replaced, whose memory comes from `take`. */
@@ -51,6 +59,7 @@ export function forceMemory<T>(create: (world: PhysicsWorld, take: TakeBytes) =>
       idleBlocks(world).push(...stateAt(world, key, make).blocks);
       world.internal.resources.delete(key);
     },
+    key,
   };
 }
 

@@ -105,6 +105,7 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
       sum.workOf(world);
     },
     releaseMemory: sum.release,
+    memory: sum.memory,
     accumulate(world) {
       const work = sum.evaluate(world);
       const { force } = world.scratch.at;
@@ -135,7 +136,11 @@ function createSum(spec: MutualSpec) {
   const power = law === 'inverse-square' ? 2 : 1;
   const required = (bitOf('Position') | bitOf(spec.strength)) >>> 0;
   const treeFrom = (world: PhysicsWorld) => TREE_FROM[world.precision][world.dimensions];
-  const { of: workOf, release } = forceMemory((world, take) => {
+  const {
+    of: workOf,
+    release,
+    key,
+  } = forceMemory((world, take) => {
     if (world.dimensions === 3 && power === 1) {
       throw new PhysicsError('E_RANGE', `${spec.name}: the law inverse-distance requires a 2D world.`, {
         field: 'law',
@@ -156,6 +161,8 @@ function createSum(spec: MutualSpec) {
     power,
     workOf,
     release,
+    // The tree adapts to the error measured last, and results are reused while nothing moves: both change what follows.
+    memory: { key, form: `${method} ${law} ${relativeError}` },
     evaluationWork(world: PhysicsWorld): number {
       const bodies = world.internal.counts[spec.strength];
       return usesTree(world, bodies) ? TREE_WORK * bodies : PAIR_WORK * bodies * bodies;

@@ -3,6 +3,7 @@ import { isShape, registerShape, type Shape } from '../collision/shapes/2d/shape
 import { shapeIndex } from '../collision/shapes/store-shape.ts';
 import { assertIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
+import type { Block } from '../memory/force-memory.ts';
 import { isImmutable, markImmutable, onlyKeyNamed, ResourceKey, stateAt } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { addPlainObjects, Content, type Snapshot } from './content.ts';
@@ -41,8 +42,9 @@ export function decodeSnapshot(world: PhysicsWorld, bytes: Uint8Array): Snapshot
     entities: { ...encoded.entities, dense, members, moreMembers },
     keys,
     states,
-    idle: encoded.idle,
+    idle: [...encoded.idle],
   };
+  takeForces(world, encoded.forces, parts);
   content.fill(parts, copies);
   return content;
 }
@@ -70,7 +72,7 @@ function findResources(world: PhysicsWorld, encoded: EncodedSnapshot['resources'
     if (!(key instanceof ResourceKey) || key.name === '') continue;
     ofName.set(key.name, [...(ofName.get(key.name) ?? []), key]);
   }
-  const keys = encoded.map(({ name, number }) => {
+  const keys: ResourceKey[] = encoded.map(({ name, number }) => {
     const found = ofName.get(name)?.[number] ?? (number === 0 ? onlyKeyNamed(name) : undefined);
     if (found !== undefined) return found;
     throw absent(`the resource "${name}"`);
@@ -79,6 +81,23 @@ function findResources(world: PhysicsWorld, encoded: EncodedSnapshot['resources'
     keys,
     existing: keys.map((key) => (key.create === undefined ? undefined : stateAt(world, key, key.create))),
   };
+}
+
+/** Adds the memory of forces that is state. Where a force has other options, its memory is free, and it begins anew. */
+function takeForces(
+  world: PhysicsWorld,
+  encoded: EncodedSnapshot['forces'],
+  { keys, states, idle }: { keys: object[]; states: unknown[]; idle: Block[] },
+): void {
+  encoded.forEach((theirs, i) => {
+    const { memory } = world.forces[i];
+    if (theirs === null) return;
+    if (memory?.form !== theirs.form) idle.push(...theirs.state.blocks);
+    else {
+      keys.push(memory.key);
+      states.push(theirs.state);
+    }
+  });
 }
 
 function absent(what: string): PhysicsError {

@@ -1,7 +1,7 @@
 // Writes a snapshot as bytes, for a file or another machine.
 import { isShape } from '../collision/shapes/2d/shape.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { type Block, blocksOf } from '../memory/force-memory.ts';
+import { type Block, blocksOf, type CarriedState } from '../memory/force-memory.ts';
 import { KERNEL_SOURCES } from '../memory/layouts.gen.ts';
 import { COMPUTED_ANEW, isImmutable, type ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
@@ -40,7 +40,14 @@ export interface EncodedSnapshot {
   /** By the name of the resource, and its number among those of the same name. */
   readonly resources: readonly { readonly name: string; readonly number: number; readonly state: EncodedValue }[];
   readonly objects: readonly EncodedObject[];
+  /** For each force, its memory if that changes what follows. */
+  readonly forces: readonly (EncodedForce | null)[];
   readonly idle: readonly Block[];
+}
+
+export interface EncodedForce {
+  readonly form: string;
+  readonly state: CarriedState;
 }
 
 /**
@@ -70,12 +77,23 @@ export function encodeSnapshot(snapshot: Snapshot): Uint8Array {
     roots,
     resources: encodeResources(content, encoder),
     objects: encoder.finish(),
-    idle: [...parts.idle, ...parts.keys.flatMap((key, i) => blocksOf(key, parts.states[i]) ?? [])],
+    ...encodeForces(content),
   };
   return bytes.finish(encoded);
 }
 
-/** The state of forces and boxes follows from their options: other worlds compute it again. */
+/** The memory of forces that is state, and that of the others, which is free in another world. */
+function encodeForces({ world, parts }: Content): Pick<EncodedSnapshot, 'forces' | 'idle'> {
+  const states = new Map(parts.keys.map((key, i) => [key, parts.states[i]]));
+  const forces = world.forces.map(({ memory }) => {
+    if (memory === undefined || !states.has(memory.key)) return null;
+    return { form: memory.form, state: states.get(memory.key) as CarriedState };
+  });
+  for (const { memory } of world.forces) if (memory !== undefined) states.delete(memory.key);
+  return { forces, idle: [...parts.idle, ...[...states].flatMap(([key, state]) => blocksOf(key, state) ?? [])] };
+}
+
+/** The state of most forces and of boxes follows from their options: other worlds compute it again. */
 function encodeResources({ parts: { keys, states } }: Content, encoder: ValueEncoder): EncodedSnapshot['resources'] {
   const counts = new Map<string, number>();
   const resources: EncodedSnapshot['resources'][number][] = [];

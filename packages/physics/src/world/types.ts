@@ -103,6 +103,8 @@ export interface Force {
    * be added again.
    */
   releaseMemory?(world: PhysicsWorld): void;
+  /** The key of its memory where that changes what follows: encoded snapshots carry it to a force of the same `form`. */
+  readonly memory?: { readonly key: object; readonly form: string };
   /** The force also adds to `world.scratch.torque`; the torque of the last evaluation rotates the bodies. Default false. */
   readonly appliesTorque?: boolean;
   /**
@@ -346,7 +348,7 @@ export interface WorldInternals {
   readonly idsAt: number;
   readonly rangesAt: number;
   readonly counts: Record<ComponentName, number>;
-  /** Counts of entities with mass that forces cannot move, and of those whose velocity or angular velocity has no pose to move. */
+  /** Counts of entities with mass that forces cannot move, and of those that have a velocity or spin without a pose. */
   readonly partialEntities: { immovable: number; withoutPose: number };
   /** Contacts with walls are recorded, for the contacts between bodies and for events. */
   recordsContacts: boolean;
