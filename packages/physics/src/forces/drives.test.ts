@@ -2,16 +2,21 @@ import { describe, expect, test } from 'vitest';
 import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws.ts';
 import {
   createPhysicsWorld,
+  defineLaw,
   despawn,
+  type Force,
   linearDrag,
   periodicDrive,
   pointerPull,
   powerLaw,
   randomDrive,
+  restrictForce,
   semiImplicitEuler,
   spawn,
+  spawnMany,
   step,
   uniformGravity,
+  vec3,
   velocityVerlet,
 } from '../index.ts';
 
@@ -39,6 +44,14 @@ function crowd(forces: Parameters<typeof single>[0], seconds: number, dt: number
   };
   return { vx: mean(v.x), vy: mean(v.y), x: mean(p.x) };
 }
+
+const drive = (seed?: number) => randomDrive({ spectralDensity: 1, ...(seed !== undefined && { seed }) });
+
+/** White noise of spectral density 1 with the seed 1, which is also that of the world. */
+const ownNoise = defineLaw({
+  name: 'noise of the test',
+  force: ({ noise, dt }) => vec3(noise(1, 0).div(dt.sqrt()), noise(1, 1).div(dt.sqrt()), 0),
+});
 
 describe('random drive', () => {
   // The mean square of 4000 normal numbers has an error of √(2/4000) = 2.2 %: 8 % exceeds 3.5 standard deviations.
@@ -70,6 +83,35 @@ describe('random drive', () => {
     expect(path(1)).toEqual(path(1));
     expect(path(1)).not.toEqual(path(2));
     expect(path(1, 'f32').x).toBeCloseTo(path(1).x, 4);
+  });
+
+  // The mean of v² over two axes of N bodies has the relative standard error 1/√N.
+  test.each([
+    ['two drives', [1, 2].map((spectralDensity) => randomDrive({ spectralDensity })), 3],
+    ['a drive and a law with noise', [drive(), ownNoise()], 2],
+    ['two restricted drives', [restrictForce(drive(), { until: 9 }), restrictForce(drive(), { from: 0 })], 2],
+    ['two seeds', [1, 2].map(drive), 2],
+    ['one seed twice, with the same numbers', [7, 7].map(drive), 4],
+  ] as const)('variances add: %s', (_, forces, variance) => {
+    const count = 4000;
+    const world = createPhysicsWorld({ capacity: count, forces });
+    spawnMany(world, count, { position: {}, velocity: {}, mass: 1 });
+    for (let i = 0; i < 20; i++) step(world, 0.05);
+    const { x, y } = world.components.Velocity;
+    let sum = 0;
+    for (let i = 1; i <= count; i++) sum += x[i] * x[i] + y[i] * y[i];
+    expect(Math.abs(sum / (2 * count * variance) - 1)).toBeLessThan(4 / Math.sqrt(count));
+  });
+
+  test('the numbers of a drive do not depend on forces of other kinds, nor on other worlds', () => {
+    const path = (forces: Force[]) => {
+      const { world, at } = single(forces);
+      run(world, 1);
+      return at();
+    };
+    const silent = randomDrive({ spectralDensity: 0, seed: 3 });
+    expect(path([linearDrag(), silent, drive()])).toEqual(path([drive()]));
+    expect(path([drive(), drive()])).not.toEqual(path([drive(), silent]));
   });
 
   test('axes and bodies are independent in 3D', () => {

@@ -8,19 +8,22 @@
 // the variance S T for any dt. So a free body gains ⟨v²⟩ = S t/m² per axis, a damped oscillator (k, c) has ⟨x²⟩ =
 // S/(2 k c), and with S = 2 c k_B T and linear drag bodies reach the temperature T (Langevin 1908; the
 // fluctuation-dissipation theorem). The random number depends only on the seed, the step and the body's id, so it is
-// the same in every evaluation of a step. With white noise every integrator is of first order at best. Gillespie, Am.
+// the same in every evaluation of a step. Without a seed of its own, each drive of a world has one made of the world's seed and
+// its number among such drives, so that their variances add; drives of one seed draw the same numbers. With white noise every integrator is of first order at best. Gillespie, Am.
 // J. Phys. 64, 225 (1996). Cost: a logarithm, a sine or cosine and a square root per body and axis.
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { select, vec3 } from '../laws/expression.ts';
-import { suppliedScalar, vector } from '../laws/parameter.ts';
-import type { Force } from '../world/types.ts';
+import { type Supplied, suppliedScalar, vector } from '../laws/parameter.ts';
+import { mix } from '../math/random.ts';
+import { cachedWithPlan } from '../world/execution-plan.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { NOT_NEGATIVE } from './support/bounds.ts';
 
 export interface RandomDriveOptions {
   /** Spectral density S per axis, N² s; a number applies to all axes. */
   readonly spectralDensity: number | VectorInput;
-  /** Seed; default the world's. */
+  /** Seed; default one made of the world's, different for each drive of the world. */
   readonly seed?: number;
 }
 
@@ -34,13 +37,15 @@ export function randomDrive(options: RandomDriveOptions): Force {
 }
 
 function driveOf(own: number | undefined) {
+  const seed: Supplied = suppliedScalar((world) => (own === undefined ? seedIn(world, seed.supply) : foldSeed(own)));
+  if (own === undefined) withoutSeed.add(seed.supply);
   return defineLaw({
     name: 'random drive',
     formula: 'F = √(S/dt) N(0, 1)',
     source: 'Gillespie, Am. J. Phys. 64, 225 (1996).',
     parameters: {
       spectralDensity: vector('N² s', NOT_NEGATIVE),
-      seed: suppliedScalar((world) => foldSeed(own ?? world.seed)),
+      seed,
     },
     force({ mass, dt, noise }, { spectralDensity: { x, y, z }, seed }) {
       const [fx, fy, fz] = [x, y, z].map((density, i) => density.div(dt).sqrt().mul(noise(seed, i)));
@@ -48,6 +53,22 @@ function driveOf(own: number | undefined) {
       return select(mass.greater(0).and(dt.greater(0)), vec3(fx, fy, fz), vec3(0, 0, 0));
     },
   });
+}
+
+/** What supplies the seeds of drives that have none of their own. */
+const withoutSeed = /* @__PURE__ */ new WeakSet<object>();
+
+/** Those of a world, in the order of its forces. */
+const drivesOf = /* @__PURE__ */ cachedWithPlan(({ forces }) =>
+  forces
+    .flatMap(({ sources = [] }) => sources.map(({ write }): object => write))
+    .filter((write) => withoutSeed.has(write)),
+);
+
+/** The seed of a drive without its own: far from the small numbers that laws pass to `noise`. */
+function seedIn(world: PhysicsWorld, supply: object): number {
+  const number = drivesOf(world).indexOf(supply);
+  return mix(foldSeed(world.seed) + mix(number + 1));
 }
 
 /** Folds both halves of a seed into the 32 bits of the noise function. */

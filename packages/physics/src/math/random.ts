@@ -61,7 +61,7 @@ export function seedWords(state: Uint32Array, seed: number, stream: number): voi
 const GOLDEN = 0x9e3779b9;
 
 /** A bijection of 32 bits in which every input bit flips half of the output bits (Wellons, lowbias32, 2018). */
-function mix(value: number): number {
+export function mix(value: number): number {
   let z = value | 0;
   z = Math.imul(z ^ (z >>> 16), 0x21f0aaad);
   z = Math.imul(z ^ (z >>> 15), 0x735a2d97);
