@@ -8,8 +8,9 @@ import type { PhysicsWorld, System } from '../world/types.ts';
 import { noEntities, restoreEntities, type SavedEntities, saveEntities } from './entities.ts';
 import { KEPT, keptObjects } from './keep-state.ts';
 import { type MemoryImage, noImage, putImage, takeImage } from './memory-image.ts';
-import { type Copy, PlainRecord } from './plain-record.ts';
-import { refuseInstance } from './refuse-instances.ts';
+import type { Copy } from './object-copies.ts';
+import { PlainRecord } from './plain-record.ts';
+import { pathTo, refuseLoss } from './refuse-state.ts';
 
 /** A saved state of a world. It can be restored to that world any number of times. */
 export interface Snapshot {
@@ -83,7 +84,11 @@ export class Content implements Snapshot {
     this.#integrator = world.integrator;
     const { buffer } = world.memory;
     this.#plain = new PlainRecord(
-      (value) => value === world || isImmutable(value) || (ArrayBuffer.isView(value) && value.buffer === buffer),
+      (value) =>
+        value === world ||
+        value === buffer ||
+        isImmutable(value) ||
+        (ArrayBuffer.isView(value) && value.buffer === buffer),
     );
   }
 
@@ -146,14 +151,15 @@ export class Content implements Snapshot {
     this.isWhole = true;
   }
 
-  /** @throws PhysicsError E_TYPE if an object passed to `keepState` was frozen since the snapshot */
+  /** @throws PhysicsError E_TYPE if an object of the state cannot be written and differs from the snapshot */
   assertWritable(): void {
-    const frozen = this.#plain.findFrozen();
-    if (frozen === undefined) return;
-    throw new PhysicsError('E_TYPE', 'an object of the state was frozen since the snapshot, and cannot be restored.', {
-      field: 'keepState',
-      value: frozen,
-      hint: 'Do not freeze what keepState was given, or mark what never changes with markImmutable.',
+    const value = this.#plain.findUnwritable();
+    if (value === undefined) return;
+    const place = `object${pathTo(value, keptObjects(this.#world)) ?? ''}`;
+    throw new PhysicsError('E_TYPE', `restore: ${place} is frozen or sealed, and differs from the snapshot.`, {
+      field: place,
+      value,
+      hint: 'Freeze states as a whole and put others in their place, or do not freeze them.',
     });
   }
 
@@ -198,15 +204,16 @@ export class Content implements Snapshot {
     this.#states.length = this.#count;
     const plain = this.#plain;
     plain.begin();
+    plain.inspect = undefined;
     addPlainObjects(this.world, plain.add);
     for (let i = 0; i < this.#states.length; i++) {
-      plain.onInstance = (this.#keys[i] as ResourceKey).name === KEPT ? this.#refuse : undefined;
+      plain.inspect = (this.#keys[i] as ResourceKey).name === KEPT ? this.#inspect : undefined;
       plain.add(this.#states[i]);
     }
     plain.end();
   }
 
-  readonly #refuse = (instance: object): void => refuseInstance(instance, keptObjects(this.world));
+  readonly #inspect = (value: object, isCopied: boolean): void => refuseLoss(value, isCopied, keptObjects(this.#world));
 
   readonly #noteResource = (state: unknown, key: object): void => {
     if (!isState(key)) return;

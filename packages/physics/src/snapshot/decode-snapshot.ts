@@ -7,11 +7,11 @@ import type { Block } from '../memory/force-memory.ts';
 import { isImmutable, markImmutable, onlyKeyNamed, ResourceKey, stateAt } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { addPlainObjects, Content, type Snapshot } from './content.ts';
-import { type Contents, copyWith } from './contents.ts';
+import { type Contents, copyWith, HOLE } from './contents.ts';
 import { type EncodedSnapshot, formOf, type WorldForm } from './encode-snapshot.ts';
 import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
-import { BytesReader, makeArray } from './packed-bytes.ts';
-import type { Copy } from './plain-record.ts';
+import type { Copy } from './object-copies.ts';
+import { type ArrayPlace, BytesReader, makeArray } from './packed-bytes.ts';
 
 /**
  * Reads what `encodeSnapshot` wrote, as a snapshot of this world: `restore` then makes this world go on as the other would have,
@@ -133,8 +133,12 @@ class ValueDecoder {
     switch (encoded[0]) {
       case 'undefined':
         return undefined;
+      case 'hole':
+        return HOLE;
       case 'number':
         return Number(encoded[1]);
+      case 'bigint':
+        return BigInt(encoded[1]);
       case 'object':
         return this.#targetOf(encoded[1], existing, place);
       case 'memory':
@@ -151,9 +155,15 @@ class ValueDecoder {
     }
   }
 
-  /** All objects with their contents, after the values of all roots. */
+  /** All objects with their contents, after the values of all roots; those that are frozen are made here. */
   finish(): Copy[] {
-    return this.#objects.map((object, i) => copyWith(this.#targets[i] as object, this.#contentsOf(i, object)));
+    return this.#objects.flatMap((object, i) => {
+      const copy = copyWith(this.#targets[i] as object, this.#contentsOf(i, object));
+      if (object.isFrozen !== true) return [copy];
+      copy.putBack();
+      Object.freeze(copy.target);
+      return [];
+    });
   }
 
   #targetOf(number: number, existing: unknown, place: string): object {
@@ -175,7 +185,7 @@ class ValueDecoder {
       kind,
       values: values.map((value, v) => this.value(value, existing[v], `${place}.${names?.[v] ?? v}`)),
       ...(names && { names }),
-      ...(numbers && { numbers: this.#reader.array<Float64Array>(numbers) }),
+      ...(numbers && { numbers: this.#reader.array(numbers) }),
     };
   }
 
@@ -199,14 +209,20 @@ class ValueDecoder {
   }
 }
 
-function isAlike(existing: object, { kind, prototype, numbers }: EncodedObject): boolean {
-  if (isImmutable(existing)) return false;
+function isAlike(existing: object, { kind, prototype, numbers, isFrozen }: EncodedObject): boolean {
+  if (isImmutable(existing) || isFrozen) return false;
   if (kind === 'array') return Array.isArray(existing);
   if (kind === 'map') return existing instanceof Map;
   if (kind === 'set') return existing instanceof Set;
-  if (kind === 'object') return !ArrayBuffer.isView(existing) && prototypeOf(existing) === prototype;
-  const isSame = existing.constructor.name === numbers?.[0];
-  return isSame && (existing as Float64Array).length === numbers?.[2];
+  if (kind === 'date') return existing instanceof Date;
+  if (kind === 'object') {
+    const isPlain = Object.getPrototypeOf(existing) === Object.prototype;
+    return prototypeOf(existing) === prototype && (prototype !== undefined || isPlain);
+  }
+  if (kind === 'buffer') return existing instanceof ArrayBuffer && existing.byteLength === numbers?.[2];
+  if (kind === 'view') return existing instanceof DataView && existing.byteLength === numbers?.[2];
+  const { [Symbol.toStringTag]: type, length } = existing as Float64Array;
+  return type === numbers?.[0] && length === numbers?.[2];
 }
 
 function emptyLike({ kind, prototype, numbers }: EncodedObject, place: string): object {
@@ -214,8 +230,11 @@ function emptyLike({ kind, prototype, numbers }: EncodedObject, place: string): 
   if (kind === 'array') return [];
   if (kind === 'map') return new Map();
   if (kind === 'set') return new Set();
+  if (kind === 'date') return new Date(0);
   if (kind === 'object') return prototype === 'none' ? Object.create(null) : {};
-  const [type, , length] = numbers as readonly [string, number, number];
+  const [type, , length] = numbers as ArrayPlace;
+  if (kind === 'buffer') return new ArrayBuffer(length);
+  if (kind === 'view') return new DataView(new ArrayBuffer(length));
   return makeArray(type, new ArrayBuffer(8 * length), 0, length);
 }
 

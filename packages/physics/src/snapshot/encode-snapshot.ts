@@ -7,10 +7,11 @@ import { COMPUTED_ANEW, isImmutable, type ResourceKey } from '../memory/resource
 import { PHASES } from '../world/phases.ts';
 import type { PhysicsWorld, System } from '../world/types.ts';
 import { addPlainObjects, type Content, type Scalars, type Snapshot } from './content.ts';
-import { contentsOf } from './contents.ts';
+import { contentsOf, HOLE } from './contents.ts';
+import { isDeeplyFrozen } from './deeply-frozen.ts';
 import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
-import { type ArrayPlace, BytesWriter, isNumberArray, type NumberArray } from './packed-bytes.ts';
-import type { Copy } from './plain-record.ts';
+import { type Copy, copyOf, ObjectCopy } from './object-copies.ts';
+import { type ArrayPlace, BytesWriter, isNumberArray } from './packed-bytes.ts';
 import { contentOf } from './snapshot.ts';
 
 /** What the world must have in common with the one of the snapshot. */
@@ -157,19 +158,21 @@ class ValueEncoder {
   finish(): EncodedObject[] {
     const objects: EncodedObject[] = [];
     // Further objects are added to the map meanwhile.
-    for (const object of this.#numbers.keys()) objects.push(this.#object(this.#copies.get(object) as Copy));
+    for (const object of this.#numbers.keys()) objects.push(this.#object(object));
     return objects;
   }
 
-  #object(copy: Copy): EncodedObject {
+  #object(object: object): EncodedObject {
+    const copy = this.#copies.get(object) ?? copyOfFrozen(object);
     const { kind, values, names, numbers } = contentsOf(copy);
     const prototype = prototypeOf(copy.target);
     return {
       kind,
       values: values.map((value) => this.value(value)),
       ...(names && { names }),
-      ...(numbers && { numbers: this.#bytes.add(numbers as NumberArray) }),
+      ...(numbers && { numbers: this.#bytes.add(numbers) }),
       ...(prototype && { prototype }),
+      ...(!this.#copies.has(object) && { isFrozen: true }),
     };
   }
 
@@ -177,6 +180,8 @@ class ValueEncoder {
     if (typeof value === 'number') return Number.isFinite(value) && !Object.is(value, -0) ? value : numberText(value);
     if (value === null || typeof value === 'string' || typeof value === 'boolean') return value;
     if (value === undefined) return ['undefined'];
+    if (value === HOLE) return ['hole'];
+    if (typeof value === 'bigint') return ['bigint', String(value)];
     const part = this.#partNames.get(value);
     if (part !== undefined) return ['world', part];
     return typeof value === 'object' ? this.#objectValue(value) : ['same'];
@@ -188,7 +193,8 @@ class ValueEncoder {
     }
     if (this.#copies.has(value)) return ['object', this.#numberOf(value)];
     if (isShape(value)) return ['shape', value];
-    return isImmutable(value) && isPlainData(value, MAX_DEPTH) ? this.#immutable(value) : ['same'];
+    if (isImmutable(value)) return isPlainData(value, MAX_DEPTH) ? this.#immutable(value) : ['same'];
+    return isDeeplyFrozen(value) ? ['object', this.#numberOf(value)] : ['same'];
   }
 
   #numberOf(object: object): number {
@@ -203,6 +209,13 @@ class ValueEncoder {
     if (Array.isArray(value)) return ['immutable', { kind: 'array', values: value.map(encode) }];
     return ['immutable', { kind: 'object', names: Object.keys(value), values: Object.values(value).map(encode) }];
   }
+}
+
+/** Frozen data does not change, so that a snapshot needs no copy of it until it is written. */
+function copyOfFrozen(value: object): Copy {
+  const copy = Object.getPrototypeOf(value) === null ? new ObjectCopy(value) : (copyOf(value) as Copy);
+  copy.take(() => {});
+  return copy;
 }
 
 /** Options are objects in objects, but not deep. */

@@ -6,8 +6,8 @@ import type { Contents } from './contents.ts';
 import type { ArrayPlace } from './packed-bytes.ts';
 
 /**
- * A value. Numbers that JSON has, texts, truth values and null are as they are. Others say what they are: undefined, a number
- * that JSON does not have, an object of the list, a view of the world's memory, what belongs to the world (itself, its integrator,
+ * A value. Numbers that JSON has, texts, truth values and null are as they are. Others say what they are: undefined, a hole of
+ * an array, a number that JSON does not have, an object of the list, a view of the world's memory, what belongs to the world (itself, its integrator,
  * a force, a system), a shape, an immutable value, or what the other world has in the same place.
  */
 export type EncodedValue =
@@ -16,7 +16,8 @@ export type EncodedValue =
   | boolean
   | null
   | readonly ['undefined']
-  | readonly ['number', string]
+  | readonly ['hole']
+  | readonly ['number' | 'bigint', string]
   | readonly ['object', number]
   | readonly ['memory', ArrayPlace]
   | readonly ['world', string]
@@ -29,10 +30,12 @@ export interface EncodedObject {
   readonly kind: Contents['kind'];
   readonly values: readonly EncodedValue[];
   readonly names?: readonly string[];
-  /** Of a typed array. */
+  /** Of a typed array, a buffer or a view of one. */
   readonly numbers?: ArrayPlace;
   /** Whether it has no prototype, or that of a class. */
   readonly prototype?: 'none' | 'class';
+  /** Whether it is frozen, with all that it contains. */
+  readonly isFrozen?: true;
 }
 
 /** What belongs to a world, by the names that it has there. */
@@ -52,10 +55,11 @@ export function partsOfWorld(world: PhysicsWorld): Map<string, unknown> {
   return parts;
 }
 
-/** The prototype that an object needs, if it is neither plain nor an array, a map, a set or a typed array. */
+const BUILT_IN = [Array, ArrayBuffer, Map, Set, Date];
+
+/** The prototype that an object needs, if it is neither plain nor built in, such as an array or a map. */
 export function prototypeOf(value: object): EncodedObject['prototype'] {
-  if (Array.isArray(value) || ArrayBuffer.isView(value) || value instanceof Map || value instanceof Set)
-    return undefined;
+  if (ArrayBuffer.isView(value) || BUILT_IN.some((each) => value instanceof each)) return undefined;
   const prototype = Object.getPrototypeOf(value);
   if (prototype === Object.prototype) return undefined;
   return prototype === null ? 'none' : 'class';

@@ -6,12 +6,15 @@ export type ArrayPlace = readonly [type: string, offset: number, length: number]
 
 export type NumberArray = Uint8Array | Int32Array | Uint32Array | Float32Array | Float64Array;
 
-const ARRAY_TYPES: Readonly<Record<string, new (buffer: ArrayBuffer, at: number, length: number) => NumberArray>> = {
+type ArrayMaker = new (buffer: ArrayBuffer, at: number, length: number) => NumberArray;
+
+const ARRAY_TYPES: Readonly<Record<string, ArrayMaker>> = {
   Uint8Array,
   Int32Array,
   Uint32Array,
   Float32Array,
   Float64Array,
+  ...({ Int8Array, Uint8ClampedArray, Int16Array, Uint16Array, BigInt64Array, BigUint64Array } as object),
 };
 
 /** 'PRIN', and a number that changes with the format. */
@@ -26,7 +29,7 @@ export class BytesWriter {
   #length = 0;
 
   add(array: NumberArray): ArrayPlace {
-    const place = [array.constructor.name, this.#length, array.length] as const;
+    const place = [array[Symbol.toStringTag], this.#length, array.length] as const;
     this.#arrays.push(array);
     this.#length = roundUp(this.#length + array.byteLength);
     return place;

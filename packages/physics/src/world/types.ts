@@ -103,7 +103,7 @@ export interface Force {
    * be added again.
    */
   releaseMemory?(world: PhysicsWorld): void;
-  /** The key of its memory where that changes what follows: encoded snapshots carry it to a force of the same `form`. */
+  /** The key of its memory where that changes what follows: encoded snapshots carry it to the same `form`. Default none. */
   readonly memory?: { readonly key: object; readonly form: string };
   /** The force also adds to `world.scratch.torque`; the torque of the last evaluation rotates the bodies. Default false. */
   readonly appliesTorque?: boolean;
