@@ -181,6 +181,7 @@ describe('81 what is no snapshot of such a world is refused, and the world stays
     other.world.forces.push(constantTorque({ z: 1 }));
     refuse(other.world, bytes, /differs in forces/);
     refuse(createPhysicsWorld({ capacity: 200, precision: 'f32' }), bytes, /differs in precision/);
+    refuse(createPhysicsWorld({ capacity: 200, seed: 2 }), bytes, /differs in seed: 1 saved, 2 here/);
   });
 
   it('a world without what the saved one had beside it', () => {

@@ -19,6 +19,7 @@ export interface WorldForm {
   readonly version: string;
   readonly dimensions: number;
   readonly precision: string;
+  readonly seed: number;
   readonly capacity: number;
   readonly memory: number;
   readonly components: readonly string[];
@@ -119,12 +120,13 @@ function withoutName(state: unknown): PhysicsError {
 
 /** What the world must have in common with another that takes its snapshot. */
 export function formOf(world: PhysicsWorld): WorldForm {
-  const { dimensions, precision, capacity, memory, internal, integrator, forces, phases } = world;
+  const { dimensions, precision, seed, capacity, memory, internal, integrator, forces, phases } = world;
   const nameOf = (each: { readonly name: string }) => each.name;
   return {
     version: KERNEL_SOURCES,
     dimensions,
     precision,
+    seed,
     capacity,
     memory: memory.buffer.byteLength,
     components: [...internal.ownComponents.keys()].map(({ fields }) => Object.keys(fields).join(' ')),
