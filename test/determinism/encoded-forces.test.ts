@@ -1,8 +1,11 @@
 /** Forces whose memory changes what follows: the tree of mutual forces adapts to the error measured last, and goes on so elsewhere. */
 import {
+  clothWind,
   createPhysicsWorld,
   createRandom,
   decodeSnapshot,
+  despawn,
+  enclosedGas,
   encodeSnapshot,
   type Force,
   mutualCoulomb,
@@ -90,4 +93,27 @@ it('begins anew where the force has other options, in the memory that is free th
     for (const axis of ['x', 'y', 'z'] as const) fresh.components[name][axis].set(played.components[name][axis]);
   }
   expect(hashes(loaded, 3)).toEqual(hashes(fresh, 3));
+});
+
+it.each([
+  ['wind on a cloth', (faces: Uint32Array) => clothWind({ triangles: faces, velocity: { z: 3 } })],
+  ['gas in a skin', (faces: Uint32Array) => enclosedGas({ faces, corners: 3, amount: 1, ambient: 0.5 })],
+] as const)('%s knows its nodes from bodies that got their ids later', (_, make) => {
+  const [played, loaded] = [0, 1].map(() => {
+    const world = createPhysicsWorld({ dimensions: 3, capacity: 100 });
+    const corners = [{}, { x: 1 }, { y: 1 }, { z: 1 }].map((position) =>
+      spawn(world, { position, velocity: {}, mass: 1 }),
+    );
+    const faces = Uint32Array.from([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3], (corner) => corners[corner]);
+    world.forces.push(make(faces));
+    return { world, node: corners[3] };
+  });
+  hashes(played.world, 3);
+  despawn(played.world, played.node);
+  expect(spawn(played.world, { position: { x: 4, y: 4, z: 4 }, velocity: {}, mass: 1 })).toBe(played.node);
+  hashes(played.world, 2);
+  restore(loaded.world, decodeSnapshot(loaded.world, encodeSnapshot(snapshot(played.world))));
+  expect(hashes(loaded.world, 10)).toEqual(hashes(played.world, 10));
+  expect(loaded.world.components.Velocity.z[played.node]).toBe(0);
+  expect(loaded.world.components.Velocity.z[played.node - 1]).not.toBe(0);
 });

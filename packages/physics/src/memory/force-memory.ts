@@ -27,9 +27,9 @@ export interface ForceMemory<T> {
   readonly key: object;
 }
 
-/** The state of a force as encoded snapshots carry it: its address, and the blocks of memory that it owns. */
+/** The state of a force as encoded snapshots carry it: addresses and numbers, and the blocks of memory that it owns. */
 export interface CarriedState {
-  readonly value: number;
+  readonly value: unknown;
   readonly blocks: readonly Block[];
 }
 

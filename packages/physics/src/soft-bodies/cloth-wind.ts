@@ -18,7 +18,7 @@ import { forceMemory, type TakeBytes } from '../memory/force-memory.ts';
 import { SHEET_IN_WIND_BYTES, SheetInWindNumber, SheetInWindWord } from '../memory/layouts.gen.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { type Faces, facesOf } from './faces.ts';
+import { type Faces, facesOf, stateOfFaces } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
 
 export interface ClothWindOptions {
@@ -53,6 +53,7 @@ export function clothWind(options: ClothWindOptions): Force {
       ...shownVector('velocity', 'm/s', wind.steady),
     },
     reads: ['Position', 'Velocity'],
+    memory: stateOfFaces(faces, 3),
     local: false,
     readsOfOthers: [],
     prepare(world) {

@@ -5,7 +5,7 @@ import { assertBody, isBody } from '../ecs/entity-ref.ts';
 import { assertBelongs } from '../ecs/id-lists.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { type ForceMemory, forceMemory, type TakeBytes } from '../memory/force-memory.ts';
-import type { PhysicsWorld } from '../world/types.ts';
+import type { Force, PhysicsWorld } from '../world/types.ts';
 import { listStrips } from './strips.ts';
 
 export interface Faces {
@@ -32,6 +32,11 @@ export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): 
   }
   // A resource, so that restoring a snapshot from before its creation also frees its memory.
   return forceMemory((world, take) => copyFaces(world, take, { ids, corners, field }));
+}
+
+/** The memory of faces is state: they know their corners by the generations of the first step, and not bodies with the same ids. */
+export function stateOfFaces({ key }: ForceMemory<Faces>, corners: 2 | 3): NonNullable<Force['memory']> {
+  return { key, form: `${corners} corners` };
 }
 
 /** Bytes of scratch memory behind the faces, for the forces of a chunk: kernels/soft-bodies/faces.ts. */

@@ -14,7 +14,7 @@
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { log } from '../math/elementary.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { facesOf } from './faces.ts';
+import { facesOf, stateOfFaces } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
 
 export interface GasOptions {
@@ -57,6 +57,7 @@ export function enclosedGas(options: GasOptions): Force {
     readsOfOthers: [],
     prepare: (world) => void faces.of(world),
     releaseMemory: faces.release,
+    memory: stateOfFaces(faces, corners),
     accumulate(world) {
       const { at, count } = faces.of(world);
       const generations = world.internal.generations.byteOffset;
