@@ -8,7 +8,7 @@
 // radius. Shells outside r exert no force (Newton, Principia I, propositions 70 and 71). Valid for spherical
 // symmetry. Cost: a square root, a division and 17 more operations per body, and six per radius: M is the sum over
 // all shells of the mass within r, so that no body searches the table. The table takes 32 bytes per radius of the
-// memory of each world that uses it, until `replaceForce` replaces it.
+// memory of each world that uses it, until it leaves `world.forces`.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkList, checkNumber } from '../errors/validate.ts';
 import { constant, type Scalar, select } from '../laws/expression.ts';

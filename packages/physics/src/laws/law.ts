@@ -53,7 +53,7 @@ export interface LawOptions<R extends Reads, P extends Parameters> {
    * moved. Default none.
    */
   readonly prepare?: (world: PhysicsWorld, dt: number) => void;
-  /** Called when `replaceForce` has replaced the force, to give back memory that it has taken. Default none. */
+  /** Called when the force has left a world, to give back memory that it has taken there. Default none. */
   readonly releaseMemory?: (world: PhysicsWorld) => void;
   /** Components whose columns `prepare` changes, as an engine burns fuel. Default none. */
   readonly consumes?: readonly ComponentName[];

@@ -226,6 +226,7 @@ function initialInternals(components: Components) {
     reviewed: { plan: undefined, membership: -1, stepsAgo: 0 },
     rangesVersion: -1,
     sweptRows: 0,
+    heldForces: new Set<Force>(),
   };
 }
 

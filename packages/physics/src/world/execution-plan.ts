@@ -1,7 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkHas, checkList, isRecord } from '../errors/validate.ts';
 import { PHASES, type Phase } from './phases.ts';
-import type { Fusion, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
+import type { Force, Fusion, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
 
 /** Hint of errors about values that are not forces. */
 export const FORCE_HINT = 'Create forces with a function such as uniformGravity() or defineForce({ … }).';
@@ -61,7 +61,23 @@ export function currentPlan(world: PhysicsWorld): Plan {
   if (plan !== undefined && isCurrent(world, plan)) return plan;
   const made = makePlan(world);
   world.internal.plan = made;
+  releaseForces(world);
   return made;
+}
+
+/** Releases the forces that were taken out of `world.forces`, and notes those that are there. */
+function releaseForces(world: PhysicsWorld): void {
+  const { forces } = world;
+  const { heldForces } = world.internal;
+  for (const force of heldForces) if (!forces.includes(force)) releaseForce(world, force);
+  for (const force of forces) if (force.releaseMemory !== undefined) heldForces.add(force);
+}
+
+/** Lets a force that has left the world give its memory back, unless another force there shares it. */
+export function releaseForce(world: PhysicsWorld, force: Force): void {
+  const { releaseMemory } = force;
+  world.internal.heldForces.delete(force);
+  if (!world.forces.some((each) => each.releaseMemory === releaseMemory)) releaseMemory?.(world);
 }
 
 /** Returns a getter of a value that is computed on first use and cached with the plan of a world. */

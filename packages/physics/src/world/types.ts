@@ -99,8 +99,8 @@ export interface Force {
    */
   prepare?(world: PhysicsWorld, dt: number): void;
   /**
-   * Called when `replaceForce` has replaced the force, to give back memory that it has taken in the world. The force may
-   * be added again.
+   * Called when the force has left `world.forces`, by `replaceForce` or at the next step, to give back memory that it has
+   * taken in the world. The force may be added again.
    */
   releaseMemory?(world: PhysicsWorld): void;
   /** The key of its memory where that changes what follows: encoded snapshots carry it to the same `form`. Default none. */
@@ -398,4 +398,6 @@ export interface WorldInternals {
   /** Number of rows in use, rounded up to whole blocks. */
   sweptRows: number;
   plan: Plan | undefined;
+  /** The forces of all plans so far that may hold memory. */
+  readonly heldForces: Set<Force>;
 }

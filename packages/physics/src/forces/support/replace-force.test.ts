@@ -3,6 +3,7 @@ import {
   clothWind,
   createCloth,
   createPhysicsWorld,
+  defineForce,
   enclosedGas,
   enclosedMassGravity,
   type Force,
@@ -143,7 +144,68 @@ describe.each(KINDS)('$name, $precision', ({ dimensions, precision, make }) => {
   });
 });
 
+describe.each(KINDS)('$name, $precision, put in and taken out 100 times', ({ dimensions, precision, make }) => {
+  const ways: Record<string, (world: PhysicsWorld) => void> = {
+    pop: ({ forces }) => forces.pop(),
+    splice: ({ forces }) => forces.splice(0, 1),
+    length: ({ forces }) => {
+      forces.length = 0;
+    },
+  };
+
+  it.each(Object.entries(ways))(
+    'by %s takes the memory of the first two, and comes back with a snapshot',
+    (_, remove) => {
+      const [world, triangles] = makeWorld({ dimensions, precision });
+      const forces = [1, 2].map((value) => make(value, triangles));
+      // What takes two blocks finds its own in the third round.
+      for (let i = 0; i < 2; i++) {
+        world.forces.push(forces[0]);
+        step(world, 1e-3);
+        remove(world);
+        step(world, 1e-3);
+      }
+      world.forces.push(forces[0]);
+      step(world, 1e-3);
+      const taken = snapshot(world);
+      step(world, 1e-3);
+      const first = stateOf(world);
+      const { top } = world.internal.arena;
+      for (let i = 1; i <= 100; i++) {
+        remove(world);
+        // Each force comes again, and some are new; in some steps there is none.
+        if (i % 5 === 0) step(world, 1e-3);
+        world.forces.push(i % 3 === 0 ? make(3, triangles) : forces[i % 2]);
+        step(world, 1e-3);
+      }
+      expect(world.internal.arena.top).toBe(top);
+      restore(world, taken);
+      step(world, 1e-3);
+      expect(stateOf(world)).toEqual(first);
+    },
+  );
+});
+
 describe('the memory of a force', () => {
+  it('is given back once, and stays with a force that comes again before the next step', () => {
+    let released = 0;
+    const force: Force = {
+      ...defineForce({ name: 'own', accumulate: () => {} }),
+      releaseMemory: () => {
+        released++;
+      },
+    };
+    const world = createPhysicsWorld({ forces: [force] });
+    step(world, 0.01);
+    world.forces.pop();
+    world.forces.push(force);
+    step(world, 0.01);
+    expect(released).toBe(0);
+    replaceForce(world, mutualGravity(), force);
+    for (let i = 0; i < 3; i++) step(world, 0.01);
+    expect(released).toBe(1);
+  });
+
   it('stays with it while it is in the list once more', () => {
     const force = mutualGravity({ G: 1, softening: 0.1 });
     const world = createPhysicsWorld({ forces: [force, force] });

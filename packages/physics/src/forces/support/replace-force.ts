@@ -1,6 +1,6 @@
 import { assertUsable, whenIdle } from '../../ecs/guards.ts';
 import { unknownName } from '../../errors/validate.ts';
-import { checkForce } from '../../world/execution-plan.ts';
+import { checkForce, releaseForce } from '../../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../../world/types.ts';
 
 /**
@@ -18,9 +18,9 @@ export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): vo
   indexOfForce(world, force, old);
   whenIdle(world, () => {
     const index = indexOfForce(world, force, old);
-    const { releaseMemory } = world.forces[index];
+    const replaced = world.forces[index];
     world.forces[index] = force;
-    if (!world.forces.some((each) => each.releaseMemory === releaseMemory)) releaseMemory?.(world);
+    releaseForce(world, replaced);
   });
 }
 
