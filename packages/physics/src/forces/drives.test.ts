@@ -2,16 +2,21 @@ import { describe, expect, test } from 'vitest';
 import { forceOn, lawOn, read, run, single } from '../../../../test/support/laws.ts';
 import {
   createPhysicsWorld,
+  decodeSnapshot,
   defineLaw,
   despawn,
+  encodeSnapshot,
   type Force,
+  keepState,
   linearDrag,
   periodicDrive,
   pointerPull,
   powerLaw,
   randomDrive,
+  restore,
   restrictForce,
   semiImplicitEuler,
+  snapshot,
   spawn,
   spawnMany,
   step,
@@ -162,6 +167,36 @@ describe('pointer pull', () => {
     const { world, eid } = single([weak]);
     weak.grab(world, eid, { x: 300, y: 400 });
     expect(forceOn(world, eid)).toMatchObject({ x: 3, y: 4 });
+  });
+
+  test('the grab goes back with the world, and to another, if it is named as state', () => {
+    const make = () => {
+      const hand = pointerPull({ frequency: 3 });
+      const { world, eid, at } = single([hand], { mass: 1 });
+      keepState(world, hand.grip);
+      return { hand, world, eid, at };
+    };
+    const end = ({ world, at }: ReturnType<typeof make>) => {
+      run(world, 0.5, 1 / 60);
+      return at();
+    };
+    const one = make();
+    const free = snapshot(one.world);
+    one.hand.grab(one.world, one.eid, { x: 1 });
+    one.hand.moveTo({ x: 5, y: 5 });
+    run(one.world, 0.05, 1 / 60);
+    const held = snapshot(one.world);
+    const bytes = encodeSnapshot(held);
+    const pulled = end(one);
+    one.hand.release();
+    restore(one.world, held);
+    expect(end(one)).toEqual(pulled);
+    expect(pulled.x).toBeGreaterThan(1);
+    const other = make();
+    restore(other.world, decodeSnapshot(other.world, bytes));
+    expect(end(other)).toEqual(pulled);
+    restore(one.world, free);
+    expect(end(one)).toMatchObject({ x: 0, y: 0 });
   });
 
   test('a removed body is released, and its reused id is not grabbed', () => {

@@ -7,12 +7,12 @@
 //
 // Scaled by the mass, so that heavy and light bodies respond alike. Keep f below a tenth of the step rate. A body may
 // be grabbed and released at run time by functions of the force, `grab(world, id, point)`, `moveTo(point)` and `release()`;
-// the grab is input, like a key, and not part of the world's state. Energy is conserved while the point rests and ζ = 0:
-// damping dissipates it, and a moving point adds to it. Catto, Soft Constraints (Game Developers Conference, 2011). Cost:
-// none unless a body is grabbed, and then two square roots or divisions and about 25 more operations for every body,
-// because all SIMD lanes do the same.
+// the grab is input, like a key, and not part of the world's state, unless it is named: `keepState(world, pull.grip)`.
+// Energy is conserved while the point rests and ζ = 0: damping dissipates it, and a moving point adds to it. Catto, Soft
+// Constraints (Game Developers Conference, 2011). Cost: none unless a body is grabbed, and then two square roots or
+// divisions and about 25 more operations for every body, because all SIMD lanes do the same.
 import { defineLaw } from '../dynamics/define-law.ts';
-import { assertBody, type EntityRef, entityRef, isAlive } from '../ecs/entity-ref.ts';
+import { assertBody, type EntityRef, entityRef, isAlive, resolve } from '../ecs/entity-ref.ts';
 import { checkVector, type VectorInput } from '../errors/validate.ts';
 import { constant, select, vec3 } from '../laws/expression.ts';
 import { scalar } from '../laws/parameter.ts';
@@ -32,6 +32,11 @@ export interface PointerPullOptions {
 
 /** The force, with functions to grab and move a body. */
 export interface PointerPull extends Force {
+  /**
+   * The reference of the body that is grabbed, 0 for none, and the point. `keepState(world, pull.grip)` makes them part of the
+   * state of a world, which snapshots restore.
+   */
+  readonly grip: { ref: EntityRef; x: number; y: number; z: number };
   /** Grabs a body. @throws PhysicsError E_STALE, E_DESTROYED, E_TYPE, E_NONFINITE, E_RANGE */
   grab(world: PhysicsWorld, eid: number, point: VectorInput): void;
   /** Moves the point. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE */
@@ -40,41 +45,47 @@ export interface PointerPull extends Force {
   release(): void;
 }
 
+const NO_BODY = 0 as EntityRef;
+
 /** The grabbed entity and the target point: one row, or none. */
 const GRAB = ['entity', 'x', 'y', 'z'] as const;
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function pointerPull(options: PointerPullOptions = {}): PointerPull {
-  const grabbed = { world: undefined as PhysicsWorld | undefined, eid: 0, ref: 0 as EntityRef };
-  let target = checkVector({}, 'pointerPull');
+  const grip = { ref: NO_BODY, x: 0, y: 0, z: 0 };
+  // The world of the last grab. Worlds that took the state of one world have equal references.
+  let lastWorld: PhysicsWorld | undefined;
+  const moveTo = (point: VectorInput) => {
+    const { x, y, z } = checkVector(point, 'pointerPull.point', POSITION_BOUNDS);
+    Object.assign(grip, { x, y, z });
+  };
   const { of: grabOf, release: releaseMemory } = forceMemory(({ memory }, take) => {
     const at = take(8 * GRAB.length, 'a pointer pull');
     return { row: new Float64Array(memory.buffer, at, GRAB.length), tableAt: { at, count: 0 } };
   });
   const force = definePull((world) => {
     const { row, tableAt } = grabOf(world);
-    tableAt.count = grabbed.world === world && isAlive(world, grabbed.ref) ? 1 : 0;
-    row[0] = grabbed.eid;
-    row[1] = target.x;
-    row[2] = target.y;
-    row[3] = target.z;
+    const isHeld = (lastWorld ?? world) === world && isAlive(world, grip.ref);
+    tableAt.count = isHeld ? 1 : 0;
+    row[0] = isHeld ? resolve(world, grip.ref) : 0;
+    row[1] = grip.x;
+    row[2] = grip.y;
+    row[3] = grip.z;
     return tableAt;
   })(options);
   return {
     ...force,
     releaseMemory,
+    grip,
     grab(world, eid, point) {
       assertBody(world, eid);
-      target = checkVector(point, 'pointerPull.point', POSITION_BOUNDS);
-      grabbed.ref = entityRef(world, eid);
-      grabbed.eid = eid;
-      grabbed.world = world;
+      moveTo(point);
+      grip.ref = entityRef(world, eid);
+      lastWorld = world;
     },
-    moveTo(point) {
-      target = checkVector(point, 'pointerPull.point', POSITION_BOUNDS);
-    },
+    moveTo,
     release() {
-      grabbed.world = undefined;
+      grip.ref = NO_BODY;
     },
   };
 }
