@@ -8,8 +8,8 @@ export interface Copy {
   /** Copies the contents and visits nested values. */
   take(visit: (value: unknown) => void): void;
   putBack(): void;
-  /** Whether `putBack` can succeed: objects may have been frozen. */
-  isWritable(): boolean;
+  /** Whether `putBack` can succeed: objects may have been frozen. Default true. */
+  isWritable?(): boolean;
 }
 
 /** Returns an empty copy of an object, undefined if it is kept by reference. */
@@ -53,10 +53,6 @@ export class NumbersCopy implements Copy {
   putBack(): void {
     this.#elements.set(this.numbers);
   }
-
-  isWritable(): boolean {
-    return true;
-  }
 }
 
 export class DateCopy implements Copy {
@@ -73,10 +69,6 @@ export class DateCopy implements Copy {
 
   putBack(): void {
     this.target.setTime(this.time);
-  }
-
-  isWritable(): boolean {
-    return true;
   }
 }
 
@@ -148,10 +140,6 @@ export class MapCopy implements Copy {
     this.target.clear();
     for (let i = 0; i < this.count; i++) this.target.set(this.keys[i], this.values[i]);
   }
-
-  isWritable(): boolean {
-    return true;
-  }
 }
 
 export class SetCopy implements Copy {
@@ -177,10 +165,6 @@ export class SetCopy implements Copy {
   putBack(): void {
     this.target.clear();
     for (let i = 0; i < this.count; i++) this.target.add(this.members[i]);
-  }
-
-  isWritable(): boolean {
-    return true;
   }
 }
 

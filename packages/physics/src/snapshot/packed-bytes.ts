@@ -18,7 +18,7 @@ const ARRAY_TYPES: Readonly<Record<string, ArrayMaker>> = {
 };
 
 /** 'PRIN', and a number that changes with the format. */
-const MARK = [0x50, 0x52, 0x49, 0x4e, 1] as const;
+const MARK = [0x50, 0x52, 0x49, 0x4e, 2] as const;
 const CHECKSUM_AT = 8;
 const LENGTH_AT = 12;
 const HEADER_AT = 16;

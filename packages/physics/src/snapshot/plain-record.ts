@@ -75,7 +75,7 @@ export class PlainRecord {
 
   /** Returns an object that cannot take its saved contents, because it was frozen or sealed. */
   findUnwritable(): object | undefined {
-    return this.#copies.find((copy) => !copy.isWritable())?.target;
+    return this.#copies.find((copy) => copy.isWritable?.() === false)?.target;
   }
 
   putBack(): void {
