@@ -98,10 +98,7 @@ export interface Force {
    * exceptions propagate from `step`, which then has no effect.
    */
   prepare?(world: PhysicsWorld, dt: number): void;
-  /**
-   * Called when the force has left `world.forces`, by `replaceForce` or at the next step, to give back memory that it has
-   * taken in the world. The force may be added again.
-   */
+  /** Called when the force has left `world.forces`: gives back its memory in the world. It may be added again. */
   releaseMemory?(world: PhysicsWorld): void;
   /** The key of its memory where that changes what follows: encoded snapshots carry it to the same `form`. Default none. */
   readonly memory?: { readonly key: object; readonly form: string };
