@@ -37,7 +37,7 @@ export function bounceInRounds(t: RigidTable, slowest: real): void {
     findFastest(t, slowest);
     if (t.approachingCount == 0) break;
     chooseStruck(t);
-    solveStruck(t, MAX_PASSES, SOLVED * slowest);
+    solveStruck(t, MAX_PASSES, (t.isLanding != 0 ? LAST_SOLVED : SOLVED) * slowest);
     for (let i = 0; i < t.struckCount; i++) throwBack(impactAt(t, word(t.struck, i)));
     projectStruck(t);
     for (let i = 0; i < t.struckCount; i++) {

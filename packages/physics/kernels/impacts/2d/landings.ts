@@ -28,7 +28,7 @@ import {
 } from './impact-trees';
 
 // What approaches more slowly is left to the sub-steps, m/s.
-const SLOW: real = 0.25;
+const SLOW: real = 0.5;
 
 // Whether the contact graph and the matrices of joints are made in this step.
 let isLinked: bool = false;

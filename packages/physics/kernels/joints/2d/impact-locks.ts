@@ -1,6 +1,6 @@
 // Limits and motors in an impact. A suspension that bottoms out, a leg that is stretched, or one whose motor holds it, passes the impact on to
-// what it stands on. So limits that an impact passes, and motors that can hold their speed in it, are locked directions of their trees
-// until it is over. That takes energy and gives none.
+// what it stands on. So limits that an impact passes, and motors that stand still and can hold that, are locked directions of their
+// trees until it is over. That takes energy and gives none.
 import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -38,14 +38,20 @@ function strikesLimit(t: JointTable, rigid: RigidTable, work: JointWork, slowest
   return true;
 }
 
-// A motor holds what two free bodies do, if it can.
+// A brake holds what two free bodies do, if it can. A motor that runs would drive all that it pushes from one body to the next.
 function strikesMotor(t: JointTable, rigid: RigidTable, work: JointWork, slowest: f64): bool {
   const most = <f64>get(t.maxMotor, work.id) * rigid.dt;
-  if (!(most > 0) || work.motorLock >= 0 || (work.limit != 0 && !hasOwnDirection(work))) return false;
+  if (
+    !(most > 0) ||
+    get(t.motorSpeed, work.id) != 0 ||
+    work.motorLock >= 0 ||
+    (work.limit != 0 && !hasOwnDirection(work))
+  )
+    return false;
   const row = rowOf(work, MOTOR_ROW);
-  const excess = abs<f64>(speedAlong(stateA(rigid, work), stateB(rigid, work), row) - <f64>get(t.motorSpeed, work.id));
-  if (!(lengthOf(work, row) * excess > slowest) || excess > most * coupling(work, row, row)) return false;
-  work.motorLock = addLock(work, row, 0, -(<f64>get(t.motorSpeed, work.id)));
+  const speed = abs<f64>(speedAlong(stateA(rigid, work), stateB(rigid, work), row));
+  if (!(lengthOf(work, row) * speed > slowest) || speed > most * coupling(work, row, row)) return false;
+  work.motorLock = addLock(work, row, 0, 0);
   return true;
 }
 
