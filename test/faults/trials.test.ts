@@ -122,8 +122,10 @@ describe('snapshots', () => {
     kept.table.value = 2;
     restore(a, later);
     expect(kept.table.value).toBe(1);
+    kept.score = 2;
     Object.freeze(kept);
     steps(a, 3);
+    // Frozen as it was saved it would need no change.
     expect(refusal(() => restore(a, later)).code).toBe('E_TYPE');
     expect(a.tick).toBe(3);
   });
