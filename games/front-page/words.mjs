@@ -6,8 +6,7 @@
 const en = {
   title: 'Principia games',
   lead: 'Real physics to play with: nearly every world can be stopped, slowed, run backwards and measured.',
-  about:
-    'Principia is a <a href="https://github.com/principia-physics/principia">physics framework for games</a>: <a href="https://github.com/principia-physics/principia/tree/main/docs/making-a-game.md">build</a>, play, <a href="https://github.com/principia-physics/principia/tree/main/docs/bench.md">measure</a>.',
+  about: 'Principia is a physics framework for games. These are made with it.',
   search: 'Search games',
   surprise: 'Surprise me',
   game: 'Games',
@@ -28,8 +27,7 @@ const en = {
 const de = {
   title: 'Principia-Spiele',
   lead: 'Echte Physik zum Spielen: Fast jede Welt lässt sich anhalten, verlangsamen, zurückspulen und vermessen.',
-  about:
-    'Principia ist ein <a href="https://github.com/principia-physics/principia">Physik-Framework für Spiele</a>: <a href="https://github.com/principia-physics/principia/tree/main/docs/making-a-game.md">bauen</a>, spielen, <a href="https://github.com/principia-physics/principia/tree/main/docs/bench.md">messen</a>.',
+  about: 'Principia ist ein Physik-Framework für Spiele. Diese sind damit gebaut.',
   search: 'Spiele suchen',
   surprise: 'Überrasch mich',
   game: 'Spiele',
