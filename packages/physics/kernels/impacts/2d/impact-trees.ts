@@ -34,8 +34,7 @@ const LEAST_SHARE: real = 0.2;
 
 // Makes the joints ready for impacts.
 export function startTrees(t: RigidTable): void {
-  if (t.joints == 0) return;
-  startProjections(jointsOf(t), t);
+  if (t.joints != 0) startProjections(jointsOf(t), t);
 }
 
 // The same before the first sub-step.
@@ -79,33 +78,17 @@ export function isJointed(t: RigidTable, place: i32): bool {
   if (!isInTreeA && !isInTreeB) return false;
   const at = blockAt(t, place);
   const l = laneAt(place);
-  const nx = get(at + block.NX, l);
-  const ny = get(at + block.NY, l);
-  const leverA = get(at + block.POINTS + block.NORMAL_LEVER_A, l);
-  const leverB = get(at + block.POINTS + block.NORMAL_LEVER_B, l);
-  const a = yieldOf(
-    get(at + block.MASS_AX, l),
-    get(at + block.MASS_AY, l),
-    get(at + block.INERTIA_A, l),
-    nx,
-    ny,
-    leverA,
-  );
-  const b = yieldOf(
-    get(at + block.MASS_BX, l),
-    get(at + block.MASS_BY, l),
-    get(at + block.INERTIA_B, l),
-    nx,
-    ny,
-    leverB,
-  );
+  const a = yieldOf(at, l, block.MASS_AX, block.MASS_AY, block.INERTIA_A, block.NORMAL_LEVER_A);
+  const b = yieldOf(at, l, block.MASS_BX, block.MASS_BY, block.INERTIA_B, block.NORMAL_LEVER_B);
   return (isInTreeA ? a : 0) + (isInTreeB ? b : 0) > LEAST_SHARE * (a + b);
 }
 
-// How fast a body moves by an impulse of 1 N s along a normal, 1/kg.
-// @ts-ignore: decorator
-@inline function yieldOf(massX: real, massY: real, inertia: real, nx: real, ny: real, lever: real): real {
-  return massX * nx * nx + massY * ny * ny + inertia * lever * lever;
+// How fast a body of a contact moves by an impulse of 1 N s at the first point, 1/kg: where its numbers are in the block.
+function yieldOf(at: usize, l: i32, massX: usize, massY: usize, inertia: usize, lever: usize): real {
+  const nx = get(at + block.NX, l);
+  const ny = get(at + block.NY, l);
+  const arm = get(at + block.POINTS + lever, l);
+  return get(at + massX, l) * nx * nx + get(at + massY, l) * ny * ny + get(at + inertia, l) * arm * arm;
 }
 
 // Of a body and all that bounces with it: how many there are, besides one, and their rows, 0 where there is none.
