@@ -172,17 +172,21 @@ function reachGroup(t: RigidTable, row: i32, tree: i32, group: i32, round: i32, 
   for (let i = othersIn(t, tree); i >= 0; i--) reachBody(t, memberOf(t, row, tree, i), slowest);
 }
 
-function reachBody(t: RigidTable, row: i32, slowest: real): void {
+// The same of one body.
+export function reachBody(t: RigidTable, row: i32, slowest: real): void {
   if (row == 0) return;
   for (let edge = firstEdge(t, row); edge >= 0; edge = nextEdge(t, edge)) {
     const place = edge >> 1;
     const known = word(t.impactOf, place) - 1;
-    const i =
-      known < 0 && (t.isLanding != 0 ? willMeet(t, place, slowest) : isTouching(t, place))
-        ? addImpact(t, place)
-        : known;
+    const i = known < 0 && mayReach(t, place, slowest) ? addImpact(t, place) : known;
     if (i >= 0 && impactAt(t, i).listed == 0 && approachOf(impactAt(t, i)) > slowest) addApproaching(t, i);
   }
+}
+
+// An impact is passed on by what touches, and a landing, which is foreseen, by what will meet.
+// @ts-ignore: decorator
+@inline function mayReach(t: RigidTable, place: i32, slowest: real): bool {
+  return t.isLanding != 0 ? willMeet(t, place, slowest) : isTouching(t, place);
 }
 
 // Coulomb friction of all that the rounds exerted.

@@ -2,7 +2,7 @@
 // would be stopped as if nothing stood on it, what it bears would go on, joints would be torn apart, and what pulls them together
 // again would throw all back. So what is going to meet within the step is slowed now, together with all that joints hold to it,
 // until it meets no sooner than at the end of the step. That takes energy and gives none. After the last sub-step what met is
-// stopped, or bounces with the speed that it had (restitution.ts).
+// stopped. What bounces does not land: it gets its speed back after the last sub-step (restitution.ts).
 import { LANES, splat } from '../../memory/lanes';
 import { mayStrike } from '../../joints/2d/impact-locks';
 import { JointTable } from '../../joints/2d/joint-table';
@@ -11,10 +11,10 @@ import { putWord, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
 import { willMeet } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { firstEdge, linkContacts, nextEdge } from './contact-edges';
+import { firstEdge, linkContacts } from './contact-edges';
 import { impactAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
-import { bounceInRounds } from './impact-rounds';
+import { bounceInRounds, reachBody } from './impact-rounds';
 import {
   endTrees,
   foreseeTrees,
@@ -38,6 +38,7 @@ export function slowLandings(table: usize): void {
   const t = changetype<RigidTable>(table);
   t.impactCount = 0;
   t.landingCount = 0;
+  t.approachingCount = 0;
   t.isLanding = 1;
   isLinked = false;
   isReady = false;
@@ -97,7 +98,8 @@ function listStops(t: RigidTable): void {
     const tree = treeOf(t, row);
     if (tree < 0 || !isTouched(t, row, tree)) continue;
     getReady(t);
-    if (lockJoints(t, tree, SLOW)) listContacts(t, row, tree);
+    if (!lockJoints(t, tree, SLOW)) continue;
+    for (let i = othersIn(t, tree); i >= 0; i--) reachBody(t, memberOf(t, row, tree, i), SLOW);
   }
 }
 
@@ -107,16 +109,6 @@ function isTouched(t: RigidTable, row: i32, tree: i32): bool {
     if (member != 0 && firstEdge(t, member) >= 0) return true;
   }
   return false;
-}
-
-function listContacts(t: RigidTable, row: i32, tree: i32): void {
-  for (let i = othersIn(t, tree); i >= 0; i--) {
-    const member = memberOf(t, row, tree, i);
-    if (member == 0) continue;
-    for (let edge = firstEdge(t, member); edge >= 0; edge = nextEdge(t, edge)) {
-      if (word(t.impactOf, edge >> 1) == 0 && willMeet(t, edge >> 1, SLOW)) addImpact(t, edge >> 1);
-    }
-  }
 }
 
 function getReady(t: RigidTable): void {

@@ -65,15 +65,18 @@ const MAX_IMPULSE: f64 = 1e30;
   return v128.and(impulse, f64x2.lt(f64x2.abs(impulse), f64x2.splat(MAX_IMPULSE)));
 }
 
+export function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64, chord: f64): void {
+  row.x = x;
+  row.y = y;
+  row.armA = armA;
+  row.armB = armB;
+  row.error = error;
+  row.chord = chord;
+}
+
 // Makes a direction of a joint one of its locked ones for this sub-step, as a limit or a motor does. Returns its number.
 export function addLock(work: JointWork, from: JointRow, error: f64, chord: f64): i32 {
-  const to = rowOf(work, work.locks);
-  to.x = from.x;
-  to.y = from.y;
-  to.armA = from.armA;
-  to.armB = from.armB;
-  to.error = error;
-  to.chord = chord;
+  setRow(rowOf(work, work.locks), from.x, from.y, from.armA, from.armB, error, chord);
   return work.locks++;
 }
 

@@ -8,7 +8,7 @@ import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, W
 import { chordOfLength, chordOfPoints, measureBends, partOfChord, withinSpeed } from './chords';
 import { measureHinge } from './hinge-locks';
 import { LOOP } from './joint-trees';
-import { coupling } from './joint-rows';
+import { coupling, setRow } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
@@ -81,15 +81,6 @@ function measureLocks(t: JointTable, work: JointWork): void {
   if (kind == MOTOR) followPoint(t, work);
   if (kind == PULLEY) measurePulley(t, work);
   if (kind == GEAR) measureGear(t, work);
-}
-
-function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64, chord: f64): void {
-  row.x = x;
-  row.y = y;
-  row.armA = armA;
-  row.armB = armB;
-  row.error = error;
-  row.chord = chord;
 }
 
 function aboutAngle(row: JointRow, angle: f64): void {
