@@ -2,30 +2,20 @@
 import {
   boris,
   constantTorque,
-  createPhysicsWorld,
   magneticField,
   mutualGravity,
-  type PhysicsWorldOptions,
   spawn,
   step,
   uniformGravity,
-  type Warning,
   wisdomHolman,
 } from '@principia/physics';
 import { expect, it } from 'vitest';
-
-/** A world, and the warnings that it has given. */
-function listen(options: PhysicsWorldOptions) {
-  const warnings: Warning[] = [];
-  const world = createPhysicsWorld({ capacity: 100, onWarning: (warning) => warnings.push(warning), ...options });
-  const messages = () => warnings.map(({ message }) => message).join('\n');
-  return { world, messages };
-}
+import { warnedWorld } from '../support/warned-world.ts';
 
 it('names two constants of gravity that differ, and no others', () => {
   const warned = (own: { G?: number }, ...Gs: number[]) => {
     const forces = Gs.map((G) => mutualGravity({ G }));
-    const { world, messages } = listen({ forces, integrator: wisdomHolman(own) });
+    const { world, messages } = warnedWorld({ forces, integrator: wisdomHolman(own) });
     spawn(world, { position: {}, mass: 1 });
     spawn(world, { position: { x: 1 }, velocity: { y: 1 }, mass: 1e-3 });
     for (let i = 0; i < 2; i++) step(world, 0.01);
@@ -42,7 +32,7 @@ it('names two constants of gravity that differ, and no others', () => {
 it('names a magnetic field that acts by boris and by a force', () => {
   const warned = (field: number, ofForce: number) => {
     const forces = [magneticField({ z: ofForce })];
-    const { world, messages } = listen({ forces, integrator: boris({ field: { z: field } }) });
+    const { world, messages } = warnedWorld({ forces, integrator: boris({ field: { z: field } }) });
     spawn(world, { position: {}, velocity: { x: 1 }, mass: 1, charge: 1 });
     for (let i = 0; i < 2; i++) step(world, 0.01);
     return messages();
@@ -56,7 +46,7 @@ it('names a magnetic field that acts by boris and by a force', () => {
 it.each([2, 3] as const)('names a body that a torque does not turn, %d D', (dimensions) => {
   const turning = dimensions === 2 ? { rotation: 0, angularVelocity: 0 } : { orientation: {}, angularVelocity: {} };
   const warned = (init: object, forces = [constantTorque({ z: 1 })]) => {
-    const { world, messages } = listen({ dimensions, forces });
+    const { world, messages } = warnedWorld({ dimensions, forces });
     spawn(world, { position: {}, mass: 1, ...init });
     for (let i = 0; i < 2; i++) step(world, 0.01);
     return messages();
@@ -71,7 +61,7 @@ it.each([2, 3] as const)('names a body that a torque does not turn, %d D', (dime
 
 it('names gravity along z in a 2D world', () => {
   const warned = (dimensions: 2 | 3, acceleration: object) => {
-    const { world, messages } = listen({ dimensions, forces: [uniformGravity(acceleration)] });
+    const { world, messages } = warnedWorld({ dimensions, forces: [uniformGravity(acceleration)] });
     spawn(world, { position: {}, velocity: {}, mass: 1 });
     for (let i = 0; i < 2; i++) step(world, 0.01);
     return messages();

@@ -3,7 +3,6 @@ import {
   applyImpulse,
   box,
   createJoint,
-  createPhysicsWorld,
   despawn,
   distance,
   entityRef,
@@ -17,14 +16,12 @@ import {
   spawnCompound,
   step,
   uniformGravity,
-  type Warning,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
+import { warnedWorld } from '../support/warned-world.ts';
 
 function listen(options: PhysicsWorldOptions = {}) {
-  const warnings: Warning[] = [];
-  const onWarning = (warning: Warning) => warnings.push(warning);
-  const world = createPhysicsWorld({ preset: rigidBodies, capacity: 100, onWarning, ...options });
+  const { world, warnings } = warnedWorld({ preset: rigidBodies, ...options });
   const run = (steps: number, between = () => {}) => {
     for (let i = 0; i < steps; i++) {
       between();

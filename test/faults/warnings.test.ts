@@ -5,14 +5,12 @@ import {
   boxWalls,
   breakSprings,
   createJoint,
-  createPhysicsWorld,
   createRope,
   createRunner,
   defineForce,
   distance,
   linearDrag,
   on,
-  type PhysicsWorldOptions,
   particleContacts,
   quadraticDrag,
   restrictForce,
@@ -27,22 +25,18 @@ import {
   springs,
   step,
   uniformGravity,
-  type Warning,
 } from '@principia/physics';
 import { addComponent, removeComponent, set } from 'bitecs';
 import { expect, it } from 'vitest';
-
-/** A world, and the warnings that it has given. */
-function listen(options: PhysicsWorldOptions = {}) {
-  const warnings: Warning[] = [];
-  const world = createPhysicsWorld({ capacity: 100, onWarning: (warning) => warnings.push(warning), ...options });
-  const messages = () => warnings.map(({ message }) => message).join('\n');
-  return { world, warnings, messages };
-}
+import { warnedWorld } from '../support/warned-world.ts';
 
 it('is silent in an ordinary world', () => {
   const walls = [boxWalls({ min: { x: -5, y: -5 }, max: { x: 5, y: 5 } })];
-  const { world, warnings } = listen({ preset: particleContacts, forces: [uniformGravity(), linearDrag()], walls });
+  const { world, warnings } = warnedWorld({
+    preset: particleContacts,
+    forces: [uniformGravity(), linearDrag()],
+    walls,
+  });
   spawn(world, { position: {}, mass: 1, linearDrag: 0.1, collider: 0.5 });
   spawn(world, { segmentWall: { ax: -1, bx: 1 } });
   on(world, 'contact', () => {});
@@ -52,7 +46,7 @@ it('is silent in an ordinary world', () => {
 });
 
 it('names walls that nothing runs, once', () => {
-  const { world, warnings, messages } = listen();
+  const { world, warnings, messages } = warnedWorld();
   spawn(world, { segmentWall: { ax: -1, bx: 1 } });
   spawn(world, { planeWall: { ny: 1 } });
   for (let i = 0; i < 3; i++) step(world, 0.01);
@@ -64,7 +58,7 @@ it('names walls that nothing runs, once', () => {
 });
 
 it('names a handler of contacts that is never called, also one that comes later', () => {
-  const { world, messages } = listen();
+  const { world, messages } = warnedWorld();
   step(world, 0.01);
   on(world, 'wallContact', () => {});
   step(world, 0.01);
@@ -72,14 +66,14 @@ it('names a handler of contacts that is never called, also one that comes later'
 });
 
 it('sends who waits for contacts of rigid bodies to their lists', () => {
-  const { world, warnings } = listen({ preset: rigidBodies });
+  const { world, warnings } = warnedWorld({ preset: rigidBodies });
   on(world, 'contact', () => {});
   step(world, 0.01);
   expect(warnings[0].hint).toContain('contactEvents(world)');
 });
 
 it('names a coefficient that no force reads, and the force to add', () => {
-  const { world, warnings, messages } = listen({ forces: [uniformGravity()] });
+  const { world, warnings, messages } = warnedWorld({ forces: [uniformGravity()] });
   spawn(world, { position: {}, mass: 1, linearDrag: 2 });
   step(world, 0.01);
   expect(messages()).toBe('LinearDrag has no effect, because no force of this world reads it.');
@@ -92,7 +86,7 @@ it.each([
 ] as const)(
   'names a value of %s that counts for nothing, because the body lacks the component',
   (name, field, value) => {
-    const { world, warnings, messages } = listen({ preset: rigidBodies, forces: [uniformGravity()] });
+    const { world, warnings, messages } = warnedWorld({ preset: rigidBodies, forces: [uniformGravity()] });
     const [without, with_] = [0, 9].map((x) => spawn(world, { position: { x }, velocity: {}, mass: 1 }));
     addComponent(world, with_, set(world.components[name], { [field]: value }));
     (world.components[name] as Record<string, { [row: number]: number }>)[field][without] = value;
@@ -109,14 +103,14 @@ it.each([
 );
 
 it('knows that an integrator reads charges', () => {
-  const { world, warnings } = listen({ integrator: boris({ field: { z: 1 } }) });
+  const { world, warnings } = warnedWorld({ integrator: boris({ field: { z: 1 } }) });
   spawn(world, { position: {}, mass: 1, charge: 2 });
   step(world, 0.01);
   expect(warnings).toEqual([]);
 });
 
 it('names a force that is there twice, but not two of different parameters', () => {
-  const { world, messages } = listen({ forces: [uniformGravity(), uniformGravity({ y: -1 })] });
+  const { world, messages } = warnedWorld({ forces: [uniformGravity(), uniformGravity({ y: -1 })] });
   step(world, 0.01);
   expect(messages()).toBe('');
   world.forces.push(uniformGravity({ y: -1 }));
@@ -125,7 +119,7 @@ it('names a force that is there twice, but not two of different parameters', () 
 });
 
 it('names in large worlds, too, what a body lacks that came when bodies come in every step, a few steps later', () => {
-  const { world, messages } = listen({ capacity: 10_000 });
+  const { world, messages } = warnedWorld({ capacity: 10_000 });
   spawnMany(world, 8000, { position: {}, velocity: {}, mass: 1 });
   step(world, 0.01);
   spawn(world, { position: {}, velocity: {}, mass: 1, linearDrag: 1 });
@@ -139,7 +133,7 @@ it('names in large worlds, too, what a body lacks that came when bodies come in 
 it('does not take a force restricted to two regions, or to two times, for one that is there twice', () => {
   const left = { region: { min: { x: -2 }, max: { x: -1 } } };
   const limits = [left, { region: { min: { x: 1 }, max: { x: 2 } } }, { until: 1 }, { from: 2 }, { from: 3 }];
-  const { world, messages } = listen({ forces: limits.map((where) => restrictForce(uniformGravity(), where)) });
+  const { world, messages } = warnedWorld({ forces: limits.map((where) => restrictForce(uniformGravity(), where)) });
   step(world, 0.01);
   expect(messages()).toBe('');
   world.forces.push(restrictForce(uniformGravity(), left));
@@ -148,35 +142,35 @@ it('does not take a force restricted to two regions, or to two times, for one th
 });
 
 it('recognises milliseconds, and lets a page that was hidden go on', () => {
-  const { world, messages } = listen();
+  const { world, messages } = warnedWorld();
   step(world, 16.7);
   expect(messages()).toBe('step got 16.7, which looks like milliseconds; times are in seconds.');
 
-  const frames = listen();
+  const frames = warnedWorld();
   const runner = createRunner(frames.world);
   runner.advance(16.7);
   expect(frames.messages()).toBe('');
   runner.advance(16.7);
   expect(frames.messages()).toMatch(/^advance got 16.7/);
 
-  const slow = listen();
+  const slow = warnedWorld();
   createRunner(slow.world, { dt: 16.7 });
   expect(slow.messages()).toMatch(/^createRunner: dt got 16.7/);
-  const orbits = listen();
+  const orbits = warnedWorld();
   createRunner(orbits.world, { dt: 3600 });
   step(orbits.world, 86_400);
   expect(orbits.messages()).toBe('');
 });
 
 it('warns once of frames in milliseconds, although each has another length', () => {
-  const { world, warnings } = listen();
+  const { world, warnings } = warnedWorld();
   const runner = createRunner(world);
   for (let i = 0; i < 20; i++) runner.advance(16.7 + i / 100);
   expect(warnings.length).toBe(1);
 });
 
 it('names springs that nothing solves, and springs that cannot break', () => {
-  const { world, messages } = listen({ forces: [uniformGravity()] });
+  const { world, messages } = warnedWorld({ forces: [uniformGravity()] });
   const a = spawn(world, { position: {} });
   const b = spawn(world, { position: { y: -1 }, mass: 1 });
   spawn(world, { spring: { a, b, stiffness: 10, length: 1, breakForce: 5 } });
@@ -185,7 +179,7 @@ it('names springs that nothing solves, and springs that cannot break', () => {
     'Spring has no effect, because neither a force nor the integrator of this world solves springs.\n' +
       'springs with a `breakForce` do not break, because no system of this world breaks springs.',
   );
-  const { world: torn, warnings } = listen({ forces: [springs()] });
+  const { world: torn, warnings } = warnedWorld({ forces: [springs()] });
   torn.phases.finish.push((world) => breakSprings(world));
   createRope(torn, { from: {}, to: { x: 1 }, nodes: 3, mass: 1, stiffness: 10, breakForce: 5 });
   step(torn, 0.01);
@@ -193,7 +187,7 @@ it('names springs that nothing solves, and springs that cannot break', () => {
 });
 
 it('tells a world without a handler of its first fault', () => {
-  const { world, warnings, messages } = listen();
+  const { world, warnings, messages } = warnedWorld();
   const body = spawn(world, { position: {}, mass: 1 });
   for (let i = 0; i < 3; i++) {
     world.components.Velocity.x[body] = Number.NaN;
@@ -202,7 +196,7 @@ it('tells a world without a handler of its first fault', () => {
   expect(messages()).toMatch(/^E_NONFINITE: Velocity.x of entity 1 was NaN/);
   expect(warnings.length).toBe(1);
 
-  const handled = listen();
+  const handled = warnedWorld();
   on(handled.world, 'fault', () => {});
   const other = spawn(handled.world, { position: {}, mass: 1 });
   handled.world.components.Velocity.x[other] = Number.NaN;
@@ -211,7 +205,7 @@ it('tells a world without a handler of its first fault', () => {
 });
 
 it('says that a box falls through a floor in a world that knows no shapes', () => {
-  const { world, warnings, messages } = listen();
+  const { world, warnings, messages } = warnedWorld();
   spawn(world, { position: { y: -1 }, collider: { shape: box(9, 1) } });
   step(world, 0.01);
   expect(warnings).toEqual([]);
@@ -222,7 +216,7 @@ it('says that a box falls through a floor in a world that knows no shapes', () =
 });
 
 it('names a rigid body that friction cannot roll, unless that is said to be meant', () => {
-  const { world, messages } = listen({ preset: rigidBodies });
+  const { world, messages } = warnedWorld({ preset: rigidBodies });
   const collider = { radius: 0.5, friction: 1 };
   spawn(world, { position: {}, mass: 1, inertia: Number.POSITIVE_INFINITY, collider });
   spawn(world, { position: { x: 2 }, mass: 1, motionLocks: { angle: true }, collider });
@@ -241,7 +235,7 @@ it('names a rigid body that friction cannot roll, unless that is said to be mean
 });
 
 it('says that a static body does not fall because it gets a mass', () => {
-  const { world, messages } = listen({ preset: rigidBodies });
+  const { world, messages } = warnedWorld({ preset: rigidBodies });
   const block = spawn(world, { position: { y: 3 }, collider: { radius: 0.5 } });
   step(world, 0.01);
   expect(messages()).toBe('');
@@ -251,7 +245,7 @@ it('says that a static body does not fall because it gets a mass', () => {
 });
 
 it('reports a handler that rejects, which no step can throw any more', async () => {
-  const { world, messages } = listen({ preset: particleContacts });
+  const { world, messages } = warnedWorld({ preset: particleContacts });
   for (const x of [0, 0.9]) spawn(world, { position: { x }, mass: 1, collider: 0.5 });
   on(world, 'contact', (async () => {
     throw new Error('too late');
@@ -262,7 +256,7 @@ it('reports a handler that rejects, which no step can throw any more', async () 
 });
 
 it('reports a system that rejects', async () => {
-  const { world, messages } = listen();
+  const { world, messages } = warnedWorld();
   const rejects: unknown = async () => {
     throw new Error('too late');
   };
@@ -273,20 +267,20 @@ it('reports a system that rejects', async () => {
 });
 
 it('says that a colour as the web writes it is invisible, and not of one made by rgba', () => {
-  const { world, messages } = listen();
+  const { world, messages } = warnedWorld();
   for (const color of [rgba(1, 0, 0), rgba(0, 0, 0, 0), 0]) spawn(world, { position: {}, appearance: { color } });
   spawnMany(world, 2, { position: {}, appearance: { color: rgba(0, 1, 0) } });
   expect(messages()).toBe('');
   spawn(world, { position: {}, appearance: { color: 0xff00 } });
   expect(messages()).toContain('the colour 0x00ff00 is invisible');
-  const other = listen();
+  const other = warnedWorld();
   spawnMany(other.world, 2, { position: {}, appearance: 0xff0000 });
   expect(other.messages()).toContain('the colour 0xff0000 is invisible');
 });
 
 it('says that bodies with a surface pass through each other where nothing runs contacts', () => {
   const surface = { radius: 0.5, restitution: 0.8 };
-  const { world, messages } = listen();
+  const { world, messages } = warnedWorld();
   spawn(world, { position: {}, mass: 1, collider: { radius: 0.5 } });
   step(world, 0.01);
   expect(messages()).toBe('');
@@ -300,7 +294,7 @@ it('says that bodies with a surface pass through each other where nothing runs c
     { preset: rigidBodies },
     { walls: [boxWalls({ min: { x: -5, y: -5 }, max: { x: 5, y: 5 } })] },
   ]) {
-    const other = listen(options);
+    const other = warnedWorld(options);
     spawn(other.world, { position: {}, mass: 1, collider: surface });
     step(other.world, 0.01);
     expect(other.messages()).toBe('');
@@ -308,7 +302,7 @@ it('says that bodies with a surface pass through each other where nothing runs c
 });
 
 it('says that a body without a position goes nowhere', () => {
-  const { world, messages } = listen({ preset: rigidBodies });
+  const { world, messages } = warnedWorld({ preset: rigidBodies });
   spawn(world, { position: {}, collider: { shape: box(1, 1), density: 1 } });
   step(world, 0.01);
   expect(messages()).toBe('');
@@ -320,7 +314,7 @@ it('says that a body without a position goes nowhere', () => {
 });
 
 it('says when a rod is made longer than its anchors are apart, and by the true distance when limits are left', () => {
-  const { world, messages } = listen({ preset: rigidBodies });
+  const { world, messages } = warnedWorld({ preset: rigidBodies });
   const disc = (x: number) => spawn(world, { position: { x }, rotation: 0.3, mass: 1, collider: { radius: 0.1 } });
   const [a, b] = [disc(0), disc(1)];
   createJoint(world, distance({ a, b, anchorB: { x: 1.5 } }));
@@ -333,7 +327,7 @@ it('says when a rod is made longer than its anchors are apart, and by the true d
 });
 
 it('says that a kinematic body without Rotation does not turn', () => {
-  const { world, messages } = listen({ preset: rigidBodies });
+  const { world, messages } = warnedWorld({ preset: rigidBodies });
   spawn(world, { position: {}, rotation: 0, velocity: {}, angularVelocity: 1, collider: { radius: 0.1 } });
   step(world, 1 / 60);
   expect(messages()).toBe('');
@@ -343,7 +337,7 @@ it('says that a kinematic body without Rotation does not turn', () => {
 });
 
 it('says when a joint is made beyond its limits, once for each kind', () => {
-  const { world, warnings, messages } = listen({ preset: rigidBodies });
+  const { world, warnings, messages } = warnedWorld({ preset: rigidBodies });
   const post = spawn(world, { position: {}, collider: { shape: box(1, 1) } });
   const far = () => spawn(world, { position: { x: 5 }, collider: { shape: box(1, 1), density: 1 } });
   createJoint(world, distance({ a: post, b: far(), limits: { upper: 5.04 } }));
@@ -361,7 +355,7 @@ it('says when a joint is made beyond its limits, once for each kind', () => {
 it('says that contacts let small bodies sink in, and by how much', () => {
   const rest = (edge: number, options: SoftStepOptions = {}) => {
     const integrator = softStep({ sleepTime: 0, ...options });
-    const { world, messages } = listen({ preset: rigidBodies, forces: [uniformGravity({ y: -10 })], integrator });
+    const { world, messages } = warnedWorld({ preset: rigidBodies, forces: [uniformGravity({ y: -10 })], integrator });
     spawn(world, { position: { y: -1 }, collider: { shape: box(2, 2), friction: 0.5 } });
     const [lower, upper] = [0.5, 1.5].map((y) =>
       spawn(world, { position: { y: y * edge }, collider: { shape: box(edge, edge), density: 1, friction: 0.5 } }),
@@ -380,14 +374,14 @@ it('says that contacts let small bodies sink in, and by how much', () => {
 
 it('is not misled by a force of the name of gravity', () => {
   const gravity = defineForce({ name: 'uniform gravity', equation: 'F = 0', reads: [], accumulate() {} });
-  const { world, messages } = listen({ preset: rigidBodies, forces: [gravity] });
+  const { world, messages } = warnedWorld({ preset: rigidBodies, forces: [gravity] });
   spawn(world, { position: {}, collider: { shape: box(0.001, 0.001), density: 1 } });
   step(world, 1 / 60);
   expect(messages()).toBe('');
 });
 
 it('says that a drag is too strong for the step, and where the limit is', () => {
-  const { world, messages, warnings } = listen({ forces: [linearDrag(), quadraticDrag()] });
+  const { world, messages, warnings } = warnedWorld({ forces: [linearDrag(), quadraticDrag()] });
   const body = spawn(world, { position: {}, velocity: { x: 5 }, mass: 0.5, linearDrag: 100 });
   step(world, 1 / 60);
   expect(messages()).toBe(
@@ -395,7 +389,7 @@ it('says that a drag is too strong for the step, and where the limit is', () => 
   );
   // c/m = 200/s.
   expect(warnings[0].hint).toContain('steps below 0.0050 s');
-  const calm = listen({ forces: [linearDrag(), quadraticDrag()] });
+  const calm = warnedWorld({ forces: [linearDrag(), quadraticDrag()] });
   spawn(calm.world, { position: {}, velocity: { x: 5 }, mass: 0.5, linearDrag: 30, quadraticDrag: 1 });
   step(calm.world, 1 / 60);
   expect(calm.messages()).toBe('');
@@ -404,7 +398,7 @@ it('says that a drag is too strong for the step, and where the limit is', () => 
 it.each(['sensor', 'bullet', 'oneWay', 'group', 'rollingResistance', 'tangentSpeed'] as const)(
   'says that a collider’s %s is of rigid bodies only',
   (field) => {
-    const { world, messages } = listen({ preset: particleContacts });
+    const { world, messages } = warnedWorld({ preset: particleContacts });
     const body = spawn(world, { position: {}, mass: 1, collider: { radius: 1, [field]: 1 } });
     step(world, 1 / 60);
     expect(messages()).toBe(`body ${body} has \`collider.${field}\`, which has no effect: only rigid bodies have it.`);
