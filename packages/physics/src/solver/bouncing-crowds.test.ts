@@ -46,7 +46,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       for (const id of ids) lowest = Math.min(lowest, Position.y[id]);
     }
     expect(contactEvents(world).droppedCount).toBeGreaterThan(0);
-    // No body is wholly below the plane: the least half width is 0.15 m.
-    expect(lowest).toBeGreaterThan(-0.15);
+    // No capsule, the longest of them, has both of its ends below the plane: what loses its contact falls for seconds.
+    expect(lowest).toBeGreaterThan(-0.35);
   });
 });

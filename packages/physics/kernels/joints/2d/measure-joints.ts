@@ -70,9 +70,11 @@ function measureLocks(t: JointTable, work: JointWork): void {
   const kind = work.kind;
   work.locks = 0;
   work.acrossInverse = 0;
-  if (kind == REVOLUTE) lockPoint(work);
+  if (kind == REVOLUTE || kind == WELD) {
+    const half = work.hasAxes != 0 ? 0.5 : 0;
+    lockPoint(work, half, half);
+  }
   if (kind == WELD) {
-    lockPoint(work);
     // A weld with a spring bends.
     if (get(t.hertz, work.id) == 0) lockAngle(t, work, 2);
   }
@@ -93,12 +95,19 @@ function turnAbout(work: JointWork, angle: f64): void {
   aboutAngle(rowOf(work, MOTOR_ROW), angle);
 }
 
-function lockPoint(work: JointWork): void {
+// Pulls at the anchors, or nearer to each other by parts of what is between them. What pulls at one point of both bodies makes no
+// angular momentum: motors and limits pull for as long as they like. A hinge that only turns keeps its energy better at its anchors
+// (a ring of bars of 1 : 10 loses a twentieth in half a minute else).
+function lockPoint(work: JointWork, partA: f64, partB: f64): void {
   const x = chordOfPoints(work, 1, 0);
   const y = chordOfPoints(work, 0, 1);
   const part = partOfChord(x, y, work.slideX, work.slideY);
-  setRow(rowOf(work, 0), 1, 0, -work.ray, -work.rby, work.dx, part * x);
-  setRow(rowOf(work, 1), 0, 1, work.rax, work.rbx, work.dy, part * y);
+  const armAx = work.rax + partA * work.dx;
+  const armAy = work.ray + partA * work.dy;
+  const armBx = work.rbx - partB * work.dx;
+  const armBy = work.rby - partB * work.dy;
+  setRow(rowOf(work, 0), 1, 0, -armAy, -armBy, work.dx, part * x);
+  setRow(rowOf(work, 1), 0, 1, armAx, armBx, work.dy, part * y);
   work.locks = 2;
 }
 
@@ -110,9 +119,7 @@ function lockAngle(t: JointTable, work: JointWork, i: i32): void {
 // A motor joint pulls at the point and the angle, and locks neither. It pulls at both bodies where b is, however far that is from where
 // it should be.
 function followPoint(t: JointTable, work: JointWork): void {
-  lockPoint(work);
-  rowOf(work, 0).armA = -(work.ray + work.dy);
-  rowOf(work, 1).armA = work.rax + work.dx;
+  lockPoint(work, 1, 0);
   aboutAngle(rowOf(work, 2), angleBetween(t, work));
   work.locks = 0;
 }

@@ -27,9 +27,12 @@ export const BIAS_RATE: usize = 16 * V;
 export const MASS_SCALE: usize = 17 * V;
 export const IMPULSE_SCALE: usize = 18 * V;
 export const RESTITUTION: usize = 19 * V;
-// Radii by which the shapes are rounded: the surface is so far from the anchor, along the normal.
-export const ROUNDING_A: usize = 20 * V;
-export const ROUNDING_B: usize = 21 * V;
+// An impulse P makes no angular momentum if its levers at a and at b differ by (x_b - x_a) × P. So they follow when b has moved by d
+// from a since the step began: that of a is longer by its share of d × P, that of b shorter by its own. The shares are 1
+// together; the lighter body has the smaller one, and turns nearly as it would alone. Both are 0 for an impact that is foreseen, whose
+// levers are those of its moment, and for what bounces, whose impulses are found anew when the step ends (impacts/2d).
+export const SHARE_A: usize = 20 * V;
+export const SHARE_B: usize = 21 * V;
 // Two points follow, each with these. A rounded shape touches with another point of its surface as it turns, and so its
 // anchor is the point that the rounding is round: the centre of a disc.
 export const POINTS: usize = 22 * V;
@@ -55,6 +58,13 @@ export const TANGENT_LEVER_A: usize = 14 * V;
 export const TANGENT_LEVER_B: usize = 15 * V;
 export const POINT: usize = 16 * V;
 export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
+
+// Until the block is finished (finish-blocks.ts), these are where the levers of the second point are later. Radii by which the shapes
+// are rounded: the surface is so far from the anchor, along the normal. And from the centre of a to that of b, m.
+export const ROUNDING_A: usize = POINTS + POINT + NORMAL_LEVER_A;
+export const ROUNDING_B: usize = POINTS + POINT + NORMAL_LEVER_B;
+export const APART_X: usize = POINTS + POINT + TANGENT_LEVER_A;
+export const APART_Y: usize = POINTS + POINT + TANGENT_LEVER_B;
 
 // @ts-ignore: decorator
 @inline export function blockOf(t: RigidTable, i: i32): usize {

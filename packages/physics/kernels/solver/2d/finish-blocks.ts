@@ -19,48 +19,82 @@ export function finishBlocks(t: RigidTable): void {
   const vy = sub(lanesY(b, 0), lanesY(a, 0));
   const wA = lanesZ(a, 0);
   const wB = lanesZ(b, 0);
-  finishPoint(at, at + block.POINTS, vx, vy, wA, wB);
-  finishPoint(at, at + block.POINTS + block.POINT, vx, vy, wA, wB);
+  const roundingA = v128.load(at, block.ROUNDING_A);
+  const roundingB = v128.load(at, block.ROUNDING_B);
+  const apartX = v128.load(at, block.APART_X);
+  const apartY = v128.load(at, block.APART_Y);
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    setLevers(at, p, apartX, apartY);
+    setMasses(at, p);
+    setSpeed(at, p, vx, vy, wA, wB);
+    setAnchors(at, p, roundingA, roundingB);
+  }
   const speed = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   if (v128.any_true(v128.lt<real>(speed, splat(-block.HIT_SPEED)))) t.hitCount++;
 }
 
-// Of b from a, the bodies have the velocity (vx, vy); they turn at wA and wB.
+// Levers at one point of both bodies, of which b is at (apartX, apartY) from a: the anchors of a manifold that is used again have slid
+// along each other. A contact with one point has nothing at the second.
 // @ts-ignore: decorator
-@inline function finishPoint(at: usize, p: usize, vx: v128, vy: v128, wA: v128, wB: v128): void {
+@inline function setLevers(at: usize, p: usize, apartX: v128, apartY: v128): void {
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
-  const ax = v128.load(p, block.AX);
-  const ay = v128.load(p, block.AY);
-  const bx = v128.load(p, block.BX);
-  const by = v128.load(p, block.BY);
-  const normalA = sub(mul(ax, ny), mul(ay, nx));
-  const normalB = sub(mul(bx, ny), mul(by, nx));
+  const shareA = v128.load(at, block.SHARE_A);
+  const shareB = v128.load(at, block.SHARE_B);
+  const exists = v128.gt<real>(v128.load(p, block.NORMAL_MASS), splat(0));
+  const anchorAX = v128.load(p, block.AX);
+  const anchorAY = v128.load(p, block.AY);
+  const anchorBX = v128.load(p, block.BX);
+  const anchorBY = v128.load(p, block.BY);
+  const slidX = v128.and(add(sub(anchorBX, anchorAX), apartX), exists);
+  const slidY = v128.and(add(sub(anchorBY, anchorAY), apartY), exists);
+  const ax = add(anchorAX, mul(shareA, slidX));
+  const ay = add(anchorAY, mul(shareA, slidY));
+  const bx = sub(anchorBX, mul(shareB, slidX));
+  const by = sub(anchorBY, mul(shareB, slidY));
+  v128.store(p, sub(mul(ax, ny), mul(ay, nx)), block.NORMAL_LEVER_A);
+  v128.store(p, sub(mul(bx, ny), mul(by, nx)), block.NORMAL_LEVER_B);
   // The tangent is the normal turned to the right: (ny, -nx).
-  const tangentA = v128.neg<real>(add(mul(ax, nx), mul(ay, ny)));
-  const tangentB = v128.neg<real>(add(mul(bx, nx), mul(by, ny)));
-  v128.store(p, normalA, block.NORMAL_LEVER_A);
-  v128.store(p, normalB, block.NORMAL_LEVER_B);
-  v128.store(p, tangentA, block.TANGENT_LEVER_A);
-  v128.store(p, tangentB, block.TANGENT_LEVER_B);
+  v128.store(p, v128.neg<real>(add(mul(ax, nx), mul(ay, ny))), block.TANGENT_LEVER_A);
+  v128.store(p, v128.neg<real>(add(mul(bx, nx), mul(by, ny))), block.TANGENT_LEVER_B);
+}
+
+// @ts-ignore: decorator
+@inline function setMasses(at: usize, p: usize): void {
+  const normalA = v128.load(p, block.NORMAL_LEVER_A);
+  const normalB = v128.load(p, block.NORMAL_LEVER_B);
+  const tangentA = v128.load(p, block.TANGENT_LEVER_A);
+  const tangentB = v128.load(p, block.TANGENT_LEVER_B);
   const normal = withTurning(at, v128.load(p, block.NORMAL_MASS), normalA, normalB);
+  const tangent = withTurning(at, v128.load(p, block.TANGENT_MASS), tangentA, tangentB);
   v128.store(p, reciprocal(normal), block.NORMAL_MASS);
-  v128.store(p, reciprocal(withTurning(at, v128.load(p, block.TANGENT_MASS), tangentA, tangentB)), block.TANGENT_MASS);
-  const turning = sub(mul(wB, normalB), mul(wA, normalA));
-  // A contact with one point has nothing at the second.
-  const exists = v128.gt<real>(normal, splat(0));
-  v128.store(p, v128.and(add(add(mul(nx, vx), mul(ny, vy)), turning), exists), block.NORMAL_SPEED);
-  const roundingA = v128.load(at, block.ROUNDING_A);
-  const roundingB = v128.load(at, block.ROUNDING_B);
-  const anchorAX = sub(ax, mul(roundingA, nx));
-  const anchorAY = sub(ay, mul(roundingA, ny));
-  const anchorBX = add(bx, mul(roundingB, nx));
-  const anchorBY = add(by, mul(roundingB, ny));
-  v128.store(p, anchorAX, block.AX);
-  v128.store(p, anchorAY, block.AY);
-  v128.store(p, anchorBX, block.BX);
-  v128.store(p, anchorBY, block.BY);
-  const between = add(mul(nx, sub(anchorBX, anchorAX)), mul(ny, sub(anchorBY, anchorAY)));
+  v128.store(p, reciprocal(tangent), block.TANGENT_MASS);
+}
+
+// Of b from a, the bodies have the velocity (vx, vy); they turn at wA and wB.
+// @ts-ignore: decorator
+@inline function setSpeed(at: usize, p: usize, vx: v128, vy: v128, wA: v128, wB: v128): void {
+  const turningA = mul(wA, v128.load(p, block.NORMAL_LEVER_A));
+  const turningB = mul(wB, v128.load(p, block.NORMAL_LEVER_B));
+  const moving = add(mul(v128.load(at, block.NX), vx), mul(v128.load(at, block.NY), vy));
+  const exists = v128.gt<real>(v128.load(p, block.NORMAL_MASS), splat(0));
+  v128.store(p, v128.and(add(moving, sub(turningB, turningA)), exists), block.NORMAL_SPEED);
+}
+
+// Those about which surfaces are round, and the separation less the distance between them along the normal.
+// @ts-ignore: decorator
+@inline function setAnchors(at: usize, p: usize, roundingA: v128, roundingB: v128): void {
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+  const ax = sub(v128.load(p, block.AX), mul(roundingA, nx));
+  const ay = sub(v128.load(p, block.AY), mul(roundingA, ny));
+  const bx = add(v128.load(p, block.BX), mul(roundingB, nx));
+  const by = add(v128.load(p, block.BY), mul(roundingB, ny));
+  v128.store(p, ax, block.AX);
+  v128.store(p, ay, block.AY);
+  v128.store(p, bx, block.BX);
+  v128.store(p, by, block.BY);
+  const between = add(mul(nx, sub(bx, ax)), mul(ny, sub(by, ay)));
   v128.store(p, sub(v128.load(p, block.SEPARATION), between), block.SEPARATION);
 }
 

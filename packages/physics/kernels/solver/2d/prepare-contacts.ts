@@ -101,6 +101,11 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, inverseMassX(t, contact.bodyB), block.MASS_BX);
   store<real>(lane, inverseMassY(t, contact.bodyB), block.MASS_BY);
   store<real>(lane, b.inverseInertia, block.INERTIA_B);
+  store<real>(lane, b.x - a.x, block.APART_X);
+  store<real>(lane, b.y - a.y, block.APART_Y);
+  const share = shareOf(contact, a.inverseMass + b.inverseMass);
+  store<real>(lane, share * b.inverseMass, block.SHARE_A);
+  store<real>(lane, share * a.inverseMass, block.SHARE_B);
   store<real>(lane, contact.nx, block.NX);
   store<real>(lane, contact.ny, block.NY);
   store<real>(lane, contact.friction, block.FRICTION);
@@ -111,6 +116,13 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, (contact.flags & IS_DEEP) != 0 ? <real>0 : contact.restitution, block.RESTITUTION);
   store<real>(lane, roundingAt(t, contact.a), block.ROUNDING_A);
   store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
+}
+
+// The share per inverse mass of the other body.
+// @ts-ignore: decorator
+@inline function shareOf(contact: RigidContact, inverseMass: real): real {
+  if ((contact.flags & FORESEEN) != 0 || contact.restitution != 0) return 0;
+  return inverseMass > 0 ? 1 / inverseMass : 0;
 }
 
 // The least inverse mass along a direction where no body is free to move along all: a part of what they have along the axes

@@ -7,13 +7,21 @@
 //   relaxing  Δλ = -m u                                           takes back the speed that pushed the bodies apart
 //
 // and λ + Δλ is at least 0. Anchors are those at the start of the step, but separations follow the bodies, and turn with
-// them; what is round about its anchor keeps its distance. Friction, in
-// the relaxing pass: |λ_t| <= μ λ. Rolling resistance bounds the angular impulse in the same way.
+// them; what is round about its anchor keeps its distance. Levers follow by shares (contact-block.ts), so that bodies that are pressed
+// together make no angular momentum. Friction, in the relaxing pass: |λ_t| <= μ λ. Rolling resistance bounds the angular impulse in
+// the same way.
 // Sources: Catto, Solver2D (2024); Macklin et al., Small Steps in Physics Simulation (2019); Box2D 3.
 import { add, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import * as block from './contact-block';
 import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from './gather-lanes';
 import { RigidTable } from './rigid-table';
+
+// The second point of round bodies has no mass.
+// @ts-ignore: decorator
+@inline function endOfPoints(at: usize): usize {
+  const second = at + block.POINTS + block.POINT;
+  return v128.any_true(v128.load(second, block.NORMAL_MASS)) ? second + block.POINT : second;
+}
 
 // Applies the impulses of the last sub-step once more.
 export function warmStartContacts(table: usize): void {
@@ -27,9 +35,14 @@ export function warmStartContacts(table: usize): void {
   const ny = v128.load(at, block.NY);
   let px = splat(0);
   let py = splat(0);
+  const end = endOfPoints(at);
   let turnA = v128.load(at, block.ROLLING_IMPULSE);
   let turnB = turnA;
-  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+  const a = at + block.A;
+  const b = at + block.B;
+  const dx = sub(lanesX(b, MOVEMENT), lanesX(a, MOVEMENT));
+  const dy = sub(lanesY(b, MOVEMENT), lanesY(a, MOVEMENT));
+  for (let p = at + block.POINTS; p < end; p += block.POINT) {
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     const tangent = v128.load(p, block.TANGENT_IMPULSE);
     px = add(px, add(mul(normal, nx), mul(tangent, ny)));
@@ -43,6 +56,9 @@ export function warmStartContacts(table: usize): void {
       add(mul(normal, v128.load(p, block.NORMAL_LEVER_B)), mul(tangent, v128.load(p, block.TANGENT_LEVER_B))),
     );
   }
+  const moved = sub(mul(dx, py), mul(dy, px));
+  turnA = add(turnA, mul(v128.load(at, block.SHARE_A), moved));
+  turnB = sub(turnB, mul(v128.load(at, block.SHARE_B), moved));
   const mxA = v128.load(at, block.MASS_AX);
   const myA = v128.load(at, block.MASS_AY);
   const mxB = v128.load(at, block.MASS_BX);
@@ -130,8 +146,12 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
+  const end = endOfPoints(at);
+  const moved = sub(mul(dx, ny), mul(dy, nx));
+  const shiftA = mul(v128.load(at, block.SHARE_A), moved);
+  const shiftB = mul(v128.load(at, block.SHARE_B), moved);
 
-  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+  for (let p = at + block.POINTS; p < end; p += block.POINT) {
     const ax = v128.load(p, block.AX);
     const ay = v128.load(p, block.AY);
     const bx = v128.load(p, block.BX);
@@ -139,8 +159,8 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     const sx = add(dx, sub(sub(mul(cB, bx), mul(sB, by)), sub(mul(cA, ax), mul(sA, ay))));
     const sy = add(dy, sub(add(mul(sB, bx), mul(cB, by)), add(mul(sA, ax), mul(cA, ay))));
     const s = add(v128.load(p, block.SEPARATION), add(mul(sx, nx), mul(sy, ny)));
-    const leverA = v128.load(p, block.NORMAL_LEVER_A);
-    const leverB = v128.load(p, block.NORMAL_LEVER_B);
+    const leverA = add(v128.load(p, block.NORMAL_LEVER_A), shiftA);
+    const leverB = sub(v128.load(p, block.NORMAL_LEVER_B), shiftB);
     const turning = sub(mul(wB, leverB), mul(wA, leverA));
     const speed = add(add(mul(sub(vxB, vxA), nx), mul(sub(vyB, vyA), ny)), turning);
     const old = v128.load(p, block.NORMAL_IMPULSE);
@@ -167,17 +187,32 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     vyB = add(vyB, mul(myB, py));
     wB = add(wB, mul(iB, mul(delta, leverB)));
   }
-  if (!soft) return applyFriction(at, lanes, repeat, vxA, vyA, wA, turnedA, vxB, vyB, wB, turnedB);
+  if (!soft)
+    return applyFriction(
+      at,
+      lanes,
+      repeat,
+      add(mul(dx, nx), mul(dy, ny)),
+      vxA,
+      vyA,
+      wA,
+      turnedA,
+      vxB,
+      vyB,
+      wB,
+      turnedB,
+    );
   scatter(a, vxA, vyA, wA, turnedA);
   scatter(b, vxB, vyB, wB, turnedB);
 }
 
-// Friction and rolling resistance, at the velocities that the normals have left.
+// Friction and rolling resistance, at the velocities that the normals have left. Along the normal, b has moved by `along` from a.
 // @ts-ignore: decorator
 @inline function applyFriction(
   at: usize,
   lanes: v128,
   repeat: v128,
+  along: v128,
   vxA: v128,
   vyA: v128,
   wA: v128,
@@ -196,10 +231,13 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
   const surface = v128.load(at, block.TANGENT_SPEED);
+  const shiftA = mul(v128.load(at, block.SHARE_A), along);
+  const shiftB = mul(v128.load(at, block.SHARE_B), along);
+  const end = endOfPoints(at);
   let total = splat(0);
-  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
-    const leverA = v128.load(p, block.TANGENT_LEVER_A);
-    const leverB = v128.load(p, block.TANGENT_LEVER_B);
+  for (let p = at + block.POINTS; p < end; p += block.POINT) {
+    const leverA = sub(v128.load(p, block.TANGENT_LEVER_A), shiftA);
+    const leverB = add(v128.load(p, block.TANGENT_LEVER_B), shiftB);
     const turning = sub(mul(wB, leverB), mul(wA, leverA));
     const sliding = sub(mul(sub(vxB, vxA), ny), mul(sub(vyB, vyA), nx));
     const speed = add(sub(sliding, surface), turning);

@@ -1,0 +1,75 @@
+// What bodies of one mechanism exert on each other makes no angular momentum, however hard and long motors press them together.
+import {
+  angularMomentum,
+  box,
+  capsule,
+  createJoint,
+  destroyWorld,
+  type PhysicsWorld,
+  revolute,
+  spawn,
+} from '@principia/physics';
+import { describe, expect, it } from 'vitest';
+import { rigidWorld, run } from '../../../../test/support/rigid-world.ts';
+
+const SECONDS = 10;
+/** The largest change of the angular momentum, as a part of the angular impulse of a motor: rounding in f32, step by step. */
+const PART = 1e-6;
+
+describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
+  const weightless = () => rigidWorld({ precision, forces: [] });
+
+  /** Bodies that met within a second are pressed together from then on. */
+  function expectNoTurn(world: PhysicsWorld, torque: number): void {
+    run(world, 1);
+    const start = angularMomentum(world).z;
+    run(world, SECONDS);
+    expect(Math.abs(angularMomentum(world).z - start)).toBeLessThan(PART * torque * SECONDS);
+    destroyWorld(world);
+  }
+
+  const legs = { boxes: box(1, 0.2), capsules: capsule(0.8, 0.1) };
+  const blades = { boxes: box(1, 0.1), capsules: capsule(0.9, 0.05) };
+
+  it.each([
+    ['boxes', 0],
+    ['boxes', 0.05],
+    ['capsules', 0],
+    ['capsules', 0.05],
+  ] as const)('two legs of %s press each other below a torso, one lower by %f m', (kind, lower) => {
+    const torque = 40;
+    const world = weightless();
+    const torso = spawn(world, { position: {}, collider: { shape: box(0.6, 0.3), density: 55 }, neverSleep: {} });
+    for (const side of [-1, 1]) {
+      const y = side === 1 ? -2 * lower : 0;
+      const leg = spawn(world, {
+        position: { x: side * 0.25, y: -0.6 + y },
+        rotation: Math.PI / 2,
+        collider: { shape: legs[kind], density: 10, friction: 0.6 },
+      });
+      const anchor = { x: side * 0.25, y: -0.15 + y };
+      createJoint(world, revolute({ a: torso, b: leg, anchor, motor: { speed: -2 * side, max: torque } }));
+    }
+    expectNoTurn(world, torque);
+  });
+
+  it.each([
+    ['boxes', 1],
+    ['boxes', 5],
+    ['capsules', 1],
+    ['capsules', 5],
+  ] as const)('scissors of %s of 1 : %d stay shut', (kind, ratio) => {
+    const torque = 100;
+    const world = weightless();
+    const blade = (angle: number, density: number) =>
+      spawn(world, {
+        position: { x: 0.5 * Math.sin(angle) + 0.06 * Math.sign(angle), y: -0.5 * Math.cos(angle) },
+        rotation: angle + Math.PI / 2,
+        collider: { shape: blades[kind], density, friction: 0.6 },
+        neverSleep: {},
+      });
+    const [a, b] = [blade(-0.3, 10), blade(0.3, 10 * ratio)];
+    createJoint(world, revolute({ a, b, anchor: { y: 0.02 }, collide: true, motor: { speed: -2, max: torque } }));
+    expectNoTurn(world, torque);
+  });
+});
