@@ -1,6 +1,8 @@
 // What springs do to a tree, and motors that push with all they have. Their joints pass it on at once: as impulses on the bodies of the
 // tree, among those of all joints. Done to their two bodies alone it would turn a light one on which much hangs a hundred times as
-// fast, and a soft pass leaves a part of that for the positions (softness.ts).
+// fast, and a soft pass leaves a part of that for the positions (softness.ts). Such a pass moves bodies by a part only of what is
+// pushed. A motor, whose force is steady, gives the rest when joints are relaxed; a spring pushes by so much more that all of it acts
+// before positions follow: what comes after them is a force of a moment ago, with which springs gain energy.
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
@@ -10,20 +12,20 @@ import { LOOP, treeBody } from './joint-trees';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, stateA, stateB } from './joint-rows';
 
-// Takes back what the spring of a joint has done to its two bodies: the tree bears it in this pass.
+// Takes back what the spring of a joint has done to its two bodies: the tree bears it in this pass, a soft one.
 export function bearSpring(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   work.springPush = 0;
   if (work.hasAxes == 0 || work.parent == LOOP || isSolvedApart(work.kind) || !(get(t.hertz, work.id) > 0)) return;
-  work.springPush = impulsesOf(t, work.id).spring;
-  applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, SPRING_ROW), -work.springPush);
+  const impulse = impulsesOf(t, work.id).spring;
+  work.springPush = impulse / softness.massScale;
+  applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, SPRING_ROW), -impulse);
 }
 
-// After a soft pass, which moves bodies by a part only of what was pushed: the rest follows when joints are relaxed.
+// After a soft pass: what is left for when joints are relaxed.
 export function leaveRest(work: JointWork): void {
-  const rest = 1 - softness.massScale;
-  work.push *= rest;
-  work.springPush *= rest;
+  work.push *= 1 - softness.massScale;
+  work.springPush = 0;
 }
 
 // Before a tree is gathered: adds what is pushed to the momentum of both bodies.
