@@ -15,9 +15,9 @@ export interface DistanceOptions extends JointOptions {
   readonly anchorB?: VectorInput;
   /** Length, m; default the distance of the points now. */
   readonly length?: number;
-  /** With a spring the length is that at rest; without spring and limits it is fixed. Default none. */
+  /** With a spring the length is that at rest; without spring, limits and motor it is fixed. Default none. */
   readonly spring?: JointSpring;
-  /** Bounds of the distance, m: `{ upper: 2 }` is a rope. Default none. */
+  /** Bounds of the distance, m: `{ upper: 2 }` is a rope. Default none, with a motor that of no length. */
   readonly limits?: JointLimits;
   /** Speed at which it grows, m/s, and largest force, N. Default none. */
   readonly motor?: JointMotor;
@@ -28,5 +28,7 @@ export interface DistanceOptions extends JointOptions {
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function distance(options: DistanceOptions): JointInput {
-  return describeJoint('distance', options, ['anchorA', 'anchorB', 'length', 'spring', 'limits', 'motor']);
+  const isWinch = options?.motor !== undefined && options.spring === undefined && options.limits === undefined;
+  const free = isWinch ? { ...options, limits: {} } : options;
+  return describeJoint('distance', free, ['anchorA', 'anchorB', 'length', 'spring', 'limits', 'motor']);
 }

@@ -4,6 +4,7 @@ import {
   createJoint,
   destroyWorld,
   distance,
+  type JointSpring,
   type PhysicsWorldOptions,
   prismatic,
   revolute,
@@ -20,11 +21,11 @@ const START = 0.3;
 const SECONDS = 5;
 
 const joints = {
-  distance: (b: number, spring: object) => distance({ b, anchorA: { y: -5 }, spring }),
-  prismatic: (b: number, spring: object) => prismatic({ b, anchor: {}, axis: { y: 1 }, spring }),
-  wheel: (b: number, spring: object) => wheel({ b, anchor: {}, axis: { y: 1 }, spring }),
-  revolute: (b: number, spring: object) => revolute({ b, anchor: {}, spring }),
-  weld: (b: number, spring: object) => weld({ b, anchor: {}, spring }),
+  distance: (b: number, spring: JointSpring) => distance({ b, anchorA: { y: -5 }, spring }),
+  prismatic: (b: number, spring: JointSpring) => prismatic({ b, anchor: {}, axis: { y: 1 }, spring }),
+  wheel: (b: number, spring: JointSpring) => wheel({ b, anchor: {}, axis: { y: 1 }, spring }),
+  revolute: (b: number, spring: JointSpring) => revolute({ b, anchor: {}, spring }),
+  weld: (b: number, spring: JointSpring) => weld({ b, anchor: {}, spring }),
 };
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {

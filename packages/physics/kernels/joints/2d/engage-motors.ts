@@ -33,11 +33,12 @@ export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): v
   if (!has || isRigid || !(get(t.maxMotor, work.id) > 0)) return;
   const impulses = impulsesOf(t, work.id);
   if (hasOwnDirection(work) || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
-  else if (mostOf(t, rigid, work) < MOST_PUSH) work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
+  else work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
 }
 
-// No motor pushes into a limit with more, N s or N m s: its joint would have to hold that with all digits it has.
-const MOST_PUSH: f64 = 1e9;
+// No motor pushes into its limit with more than what gives its two bodies this speed in a sub-step, m/s or rad/s. Nothing moves by it,
+// and a limit gives way by some of it (COMPLIANCE).
+const MOST_PUSH: f64 = 1000;
 
 // @ts-ignore: decorator
 @inline function intoLimit(impulses: JointImpulses, speed: f64): i32 {
@@ -93,7 +94,9 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   if (work.motor == APART) return;
   if (work.motor == HOLDS && !isLimited(work)) return lockMotor(t, work);
   const impulses = impulsesOf(t, work.id);
-  const most = mostOf(t, rigid, work);
+  const row = rowOf(work, MOTOR_ROW);
+  const all = mostOf(t, rigid, work);
+  const most = isLimited(work) ? min<f64>(all, MOST_PUSH / coupling(work, row, row)) : all;
   if (work.motor == HOLDS || work.motor == RESTS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
   else impulses.motor = work.motor == PUSHES_UP ? most : -most;
   work.push = impulses.motor;

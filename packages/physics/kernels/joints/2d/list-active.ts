@@ -83,7 +83,7 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
   return true;
 }
 
-// A rod with a spring locks nothing, and one with limits only while they bear.
+// A rod with a spring locks nothing, and one with limits only while they bear, or while its motor holds its speed.
 // @ts-ignore: decorator
 @inline function roleOf(t: JointTable, id: i32, kind: u32): i32 {
   if (isSolvedApart(kind)) return isCoupling(kind) ? SPECIAL | COUPLES : SPECIAL;
@@ -93,7 +93,7 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
   if (word(t.hasLimits, id) != 0) axes |= LIMITED;
   if (kind == REVOLUTE) return LOCKS | HINGE | axes;
   if (kind != DISTANCE || (axes & (SPRING | LIMITED)) == 0) return LOCKS | axes;
-  return axes == LIMITED ? ROPE | axes : axes;
+  return (axes & SPRING) == 0 ? ROPE | axes : axes;
 }
 
 // Clears the impulses of springs, motors and limits that were switched off.

@@ -117,11 +117,53 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   v128.store(total, add(v128.load(total), impulse));
 }
 
+// How far the surfaces are from each other at a point, where b has moved by (dx, dy) from a and both have turned.
+// @ts-ignore: decorator
+@inline function separationAt(
+  p: usize,
+  nx: v128,
+  ny: v128,
+  dx: v128,
+  dy: v128,
+  cA: v128,
+  sA: v128,
+  cB: v128,
+  sB: v128,
+): v128 {
+  const ax = v128.load(p, block.AX);
+  const ay = v128.load(p, block.AY);
+  const bx = v128.load(p, block.BX);
+  const by = v128.load(p, block.BY);
+  const sx = add(dx, sub(sub(mul(cB, bx), mul(sB, by)), sub(mul(cA, ax), mul(sA, ay))));
+  const sy = add(dy, sub(add(mul(sB, bx), mul(cB, by)), add(mul(sA, ax), mul(cA, ay))));
+  return add(v128.load(p, block.SEPARATION), add(mul(sx, nx), mul(sy, ny)));
+}
+
+// By how much the normal impulse of a point is too large at this speed and separation.
+// @ts-ignore: decorator
+@inline function changeAt(
+  at: usize,
+  p: usize,
+  impulse: v128,
+  speed: v128,
+  separation: v128,
+  inverseH: v128,
+  slowest: v128,
+  soft: bool,
+): v128 {
+  const apart = v128.gt<real>(separation, splat(0));
+  const mass = v128.load(p, block.NORMAL_MASS);
+  const rigid = add(speed, v128.and(apart, mul(separation, inverseH)));
+  if (!soft) return mul(mass, rigid);
+  const bias = larger(slowest, mul(v128.load(at, block.BIAS_RATE), separation));
+  const change = v128.bitselect(rigid, add(mul(v128.load(at, block.MASS_SCALE), speed), bias), apart);
+  return add(mul(mass, change), v128.andnot(mul(v128.load(at, block.IMPULSE_SCALE), impulse), apart));
+}
+
 // The normals, and when relaxing friction, of those contacts of a block whose lane is set. The total impulse is the sum of those with
 // which the sub-steps end. With `repeat`, the pass was made in this sub-step before, and only their change is added.
 // @ts-ignore: decorator
 @inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128, repeat: v128): void {
-  const zero = splat(0);
   const a = at + block.A;
   const b = at + block.B;
   const dx = sub(lanesX(b, MOVEMENT), lanesX(a, MOVEMENT));
@@ -152,29 +194,16 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const shiftB = mul(v128.load(at, block.SHARE_B), moved);
 
   for (let p = at + block.POINTS; p < end; p += block.POINT) {
-    const ax = v128.load(p, block.AX);
-    const ay = v128.load(p, block.AY);
-    const bx = v128.load(p, block.BX);
-    const by = v128.load(p, block.BY);
-    const sx = add(dx, sub(sub(mul(cB, bx), mul(sB, by)), sub(mul(cA, ax), mul(sA, ay))));
-    const sy = add(dy, sub(add(mul(sB, bx), mul(cB, by)), add(mul(sA, ax), mul(cA, ay))));
-    const s = add(v128.load(p, block.SEPARATION), add(mul(sx, nx), mul(sy, ny)));
+    const s = separationAt(p, nx, ny, dx, dy, cA, sA, cB, sB);
     const leverA = add(v128.load(p, block.NORMAL_LEVER_A), shiftA);
     const leverB = sub(v128.load(p, block.NORMAL_LEVER_B), shiftB);
     const turning = sub(mul(wB, leverB), mul(wA, leverA));
     const speed = add(add(mul(sub(vxB, vxA), nx), mul(sub(vyB, vyA), ny)), turning);
     const old = v128.load(p, block.NORMAL_IMPULSE);
-    const apart = v128.gt<real>(s, zero);
-    let change = add(speed, v128.and(apart, mul(s, inverseH)));
-    if (soft) {
-      const bias = larger(slowest, mul(v128.load(at, block.BIAS_RATE), s));
-      change = v128.bitselect(change, add(mul(v128.load(at, block.MASS_SCALE), speed), bias), apart);
-    }
-    change = mul(v128.load(p, block.NORMAL_MASS), change);
-    if (soft) change = add(change, v128.andnot(mul(v128.load(at, block.IMPULSE_SCALE), old), apart));
-    else change = v128.and(change, lanes);
+    let change = changeAt(at, p, old, speed, s, inverseH, slowest, soft);
+    if (!soft) change = v128.and(change, lanes);
     // Of a number and what is none, these take the number.
-    const impulse = smaller(splat(block.MAX_IMPULSE), larger(zero, sub(old, change)));
+    const impulse = smaller(splat(block.MAX_IMPULSE), larger(splat(0), sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
     const delta = sub(impulse, old);
     if (!soft) addToTotal(p + block.TOTAL_IMPULSE, sub(impulse, v128.and(old, repeat)));

@@ -1,0 +1,38 @@
+// Motors against the limits of their own joints, however strong they are.
+import { createJoint, destroyWorld, distance, jointPosition, prismatic, revolute, spawn } from '@principia/physics';
+import { describe, expect, it } from 'vitest';
+import { rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
+
+describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
+  /** A body of 3 kg at (4, 0), and what its joint measures four seconds later. */
+  function positionAfter(join: (b: number) => Parameters<typeof createJoint>[1]): number {
+    const world = rigidWorld({ precision, forces: [] });
+    const b = spawn(world, { position: { x: 4 }, mass: 3, inertia: 1, collider: { radius: 0.3 } });
+    const joint = createJoint(world, join(b));
+    run(world, 4);
+    const position = jointPosition(world, joint);
+    destroyWorld(world);
+    return position;
+  }
+
+  it.each([100, 1e4, 1e6, 1e9])('one of %d N or N m stops at the limit', (max) => {
+    const lower = positionAfter((b) => distance({ b, anchorA: {}, limits: { lower: 1 }, motor: { speed: -1, max } }));
+    expect(Math.abs(lower - 1)).toBeLessThan(SLOP);
+    const upper = positionAfter((b) => distance({ b, anchorA: {}, limits: { upper: 5 }, motor: { speed: 1, max } }));
+    expect(Math.abs(upper - 5)).toBeLessThan(SLOP);
+    const slider = positionAfter((b) =>
+      prismatic({ b, anchor: { x: 4 }, axis: { x: 1 }, limits: { lower: -3 }, motor: { speed: -1, max } }),
+    );
+    expect(Math.abs(slider + 3)).toBeLessThan(SLOP);
+    const hinge = positionAfter((b) =>
+      revolute({ b, anchor: { x: 4 }, limits: { upper: 0.5 }, motor: { speed: 1, max } }),
+    );
+    expect(Math.abs(hinge - 0.5)).toBeLessThan(SLOP);
+  });
+
+  it('a distance joint with nothing but a motor is a winch', () => {
+    // 0.5 m/s for four seconds, but for the first sub-step, in which 100 N bring 3 kg to that speed.
+    const length = positionAfter((b) => distance({ b, anchorA: {}, motor: { speed: -0.5, max: 1000 } }));
+    expect(Math.abs(length - 2)).toBeLessThan(0.5 / 240);
+  });
+});
