@@ -9,20 +9,36 @@ import { siNumber } from './si-number.ts';
 /** A unit of one word fits beside the numbers; longer ones stand above. */
 export const isCompound = (unit: string): boolean => /[ /]/.test(unit);
 
+const FONT = '11px system-ui, sans-serif';
+/** Least width of the numbers beside a plot, and what they keep from it, CSS pixels. */
+const LEAST_WIDTH = 46;
+const GAP = 8;
+
+/** Room for the widest number, such as “−200 mm”. @param numbers null before the first ones are known */
+function widthOf({ ctx }: uPlot, numbers: readonly string[] | null): number {
+  // uPlot remembers the font that it has set.
+  ctx.save();
+  ctx.font = FONT;
+  const widths = (numbers ?? []).map((number) => Math.ceil(ctx.measureText(number).width) + GAP);
+  ctx.restore();
+  return Math.max(LEAST_WIDTH, ...widths);
+}
+
 function axes(xValues: (value: number) => string, { unit }: PlotSource): uPlot.Axis[] {
   const grid = { stroke: '#ffffff14', width: 1 };
-  const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: '11px system-ui, sans-serif' };
+  const axis = { stroke: '#97a3c7', grid, ticks: { show: false }, font: FONT };
   const shown = isCompound(unit) ? '' : unit;
   return [
     { ...axis, size: 20, values: (_, splits) => splits.map(xValues), space: 60 },
-    { ...axis, size: 46, values: (_, splits) => splits.map((value) => siNumber(value, shown)), space: 28 },
+    { ...axis, size: widthOf, values: (_, splits) => splits.map((value) => siNumber(value, shown)), space: 28 },
   ];
 }
 
 const SIZE = {
   width: 240,
   height: 118,
-  padding: [6, 4, 0, 0] as [number, number, number, number],
+  // Room for half of the last number.
+  padding: [6, 12, 0, 0] as [number, number, number, number],
   legend: { show: false },
   cursor: { show: false },
 };
@@ -39,7 +55,7 @@ export function timeOptions(
     hooks: { draw: [(chart) => drawTimeMark(chart, mark())] },
     scales: {
       x: { time: false, range: (_, low, high) => [Math.min(low, high - seconds), Math.max(high, low + 1)] },
-      y: { range: (_, low, high) => rangeWithZero(low, high) },
+      y: { range: ({ data }) => rangeWithZero(data.slice(1) as Float64Array[]) },
     },
     axes: axes((second) => (second < 0 ? '' : `${second} s`), source),
     series: [
@@ -71,7 +87,6 @@ export function pathOptions(
   const columns = () => history.data().slice(1);
   return {
     ...SIZE,
-    // Room for half of the last number.
     padding: [6, 16, 0, 0],
     mode: 2,
     hooks: {
@@ -103,8 +118,8 @@ export function plotData(history: SeriesHistory, isPath: boolean): uPlot.Aligned
   return [null, ...columns.map((y) => [x, y])] as unknown as uPlot.AlignedData;
 }
 
-/** The range of all values, with a margin. */
-function rangeOf(columns: readonly Float64Array[]): [number, number] {
+/** The least and the largest of all values; those that are not numbers yet do not count. */
+function extremes(columns: readonly Float64Array[]): [number, number] {
   let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const column of columns) {
     for (const value of column) {
@@ -112,12 +127,18 @@ function rangeOf(columns: readonly Float64Array[]): [number, number] {
       if (value > high) high = value;
     }
   }
-  return rangeAbout(low, high);
+  return [low, high];
+}
+
+/** The range of all values, with a margin. */
+function rangeOf(columns: readonly Float64Array[]): [number, number] {
+  return rangeAbout(...extremes(columns));
 }
 
 /** The range includes zero, with a margin on either side. */
-function rangeWithZero(low: number | null, high: number | null): [number, number] {
-  if (low === null || high === null || !Number.isFinite(low + high)) return [0, 1];
+function rangeWithZero(columns: readonly Float64Array[]): [number, number] {
+  const [low, high] = extremes(columns);
+  if (!Number.isFinite(low + high)) return [0, 1];
   const [bottom, top] = [Math.min(0, low), Math.max(0, high)];
   return bottom === top ? [0, 1] : [bottom * 1.08, top * 1.08];
 }

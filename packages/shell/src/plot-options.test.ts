@@ -1,0 +1,28 @@
+import type uPlot from 'uplot';
+import { expect, it } from 'vitest';
+import { timeOptions } from './plot-options.ts';
+
+it('leaves the numbers beside a plot the width of the widest', () => {
+  const source = { unit: 'm', series: ['x'], read: () => {} };
+  const { axes = [] } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const width = (...numbers: string[]) => {
+    // Each character is seven pixels wide.
+    const ctx = { save() {}, restore() {}, font: '', measureText: (text: string) => ({ width: 7 * text.length }) };
+    const size = axes[1].size as (chart: uPlot, numbers: string[]) => number;
+    return size({ ctx } as unknown as uPlot, numbers);
+  };
+  expect(width('0 m', '-200 mm')).toBeGreaterThanOrEqual(49);
+  expect(width('0 m', '1 m')).toBe(46);
+});
+
+it('shows the range of the values that there are, and zero', () => {
+  const source = { unit: 'm', series: ['x'], read: () => {} };
+  const { scales = {} } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const range = (...values: number[]) => {
+    const data = [Float64Array.from(values, (_, i) => i), Float64Array.from(values)];
+    return (scales.y.range as (chart: uPlot) => [number, number])({ data } as unknown as uPlot);
+  };
+  expect(range(Number.NaN, -2, 3)).toEqual([-2 * 1.08, 3 * 1.08]);
+  expect(range(Number.NaN)).toEqual([0, 1]);
+  expect(range(5)).toEqual([0, 5 * 1.08]);
+});
