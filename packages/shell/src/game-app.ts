@@ -187,17 +187,14 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   async #openSidebar(): Promise<void> {
     const { createSidebar } = await import('./sidebar.ts');
     const sidebar = await createSidebar(this.layout.sidebar, {
-      settings: this.#game.settings,
+      game: this.#game,
       values: this.session.values,
       actions: this.#actions,
       clip: this.sharing,
       set: (name, value) => this.failures.guard(() => this.#set(name, value)),
-      world: () => (this.session.started ? this.session.sim.world : undefined),
-      canReplay: this.#game.replay !== undefined,
-      units: this.#game.units,
+      sim: () => (this.session.started ? this.session.sim : undefined),
       plot: this.address.plot,
       report: (sentence) => this.#banner.add(sentence),
-      cards: this.#game.cards?.bind(this.#game),
     });
     if (this.#end.signal.aborted) return sidebar.destroy();
     this.sidebar = sidebar;

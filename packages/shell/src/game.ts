@@ -84,6 +84,16 @@ export interface Renderer<S extends Settings, Sim extends Simulation> {
   open(context: ViewContext<S, Sim>): Promise<View>;
 }
 
+/** A quantity of a game's own, which its plot offers. */
+export interface GameQuantity<Sim extends Simulation> {
+  /** Shown in the lists of the plot, and in the CSV. */
+  readonly label: string;
+  /** Such as `K` or `m/s`; empty for a pure number. */
+  readonly unit: string;
+  /** The present value; not a number where there is none yet. */
+  value(sim: Sim): number;
+}
+
 /** A card of a game's own in the sidebar. */
 export interface GameCard<Sim extends Simulation> {
   /**
@@ -138,6 +148,11 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   outcome?(sim: Sim): Outcome | undefined;
   /** Values such as lives and score, for tests: `__game.state().game`. */
   report?(sim: Sim): Readonly<Record<string, unknown>>;
+  /**
+   * Quantities of the game's own for the plot and its CSV, by their names in the address, `?plot=temperature`: letters and
+   * digits that begin with a small letter. Default none.
+   */
+  readonly quantities?: Readonly<Record<string, GameQuantity<Sim>>>;
   /** Creates the game's own cards in the sidebar, below the settings; it is called after the first frame. */
   cards?(parent: HTMLElement): Promise<readonly GameCard<Sim>[]>;
   /** Address of what is on display. Default: that of its settings, its seed, its renderer and its plot. */

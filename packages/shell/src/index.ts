@@ -10,6 +10,7 @@ export { element } from './element.ts';
 export type {
   GameCard,
   GameDefinition,
+  GameQuantity,
   HelpLine,
   Insets,
   Renderer,

@@ -4,7 +4,14 @@ import { csvOf, saveText } from './csv.ts';
 import { NO_PLOT, readPlotChoice, writePlotChoice } from './plot-choice.ts';
 import { PlotControls } from './plot-controls.ts';
 import { pathOptions, plotData, timeOptions } from './plot-options.ts';
-import { inUnits, type OwnUnits, type PlotSource, pathChoice, phaseChoice } from './plot-sources.ts';
+import {
+  inUnits,
+  type OwnQuantities,
+  type OwnUnits,
+  type PlotSource,
+  pathChoice,
+  phaseChoice,
+} from './plot-sources.ts';
 import { SAFE_COLORS } from './preferences.ts';
 import { SeriesHistory } from './series-history.ts';
 import { words } from './words.ts';
@@ -19,6 +26,7 @@ const SAFE = [5, 1, 3].map((index) => `#${SAFE_COLORS[index].toString(16).padSta
 export class PlotCard {
   readonly #world: () => PhysicsWorld | undefined;
   readonly #units: OwnUnits;
+  readonly #own: OwnQuantities;
   readonly #controls: PlotControls;
   #safe = false;
   #source!: PlotSource;
@@ -37,12 +45,23 @@ export class PlotCard {
   /** Time of the recorded moment that is shown, s; not a number while none is. */
   #mark = Number.NaN;
 
-  /** @param world returns the world on display @param units of a world that is not in SI */
-  constructor(parent: HTMLElement, world: () => PhysicsWorld | undefined, units: OwnUnits = {}) {
+  /**
+   * @param world returns the world on display
+   * @param units of a world that is not in SI
+   * @param own quantities of the game's own
+   */
+  constructor(
+    parent: HTMLElement,
+    world: () => PhysicsWorld | undefined,
+    units: OwnUnits = {},
+    own: OwnQuantities = {},
+  ) {
     this.#world = world;
     this.#units = units;
+    this.#own = own;
     this.#controls = new PlotControls(
       parent,
+      own,
       () => this.#show(),
       (kind) => this.#choosePath(kind),
       () => saveText('plot.csv', this.#csv(), 'text/csv'),
@@ -116,7 +135,7 @@ export class PlotCard {
   /** Shows what the address names. @returns a sentence if it names no plot, which then stays as it is */
   choose(text: string): string {
     const isHidden = text === NO_PLOT;
-    const choice = isHidden ? this.#controls.choice : readPlotChoice(text, this.#world()?.dimensions ?? 2);
+    const choice = isHidden ? this.#controls.choice : readPlotChoice(text, this.#world()?.dimensions ?? 2, this.#own);
     if (choice === undefined) return words().address.plot(text);
     this.#isWaiting = false;
     this.#controls.card.hidden = isHidden;
@@ -175,7 +194,9 @@ export class PlotCard {
   #csv(): string {
     const { chosen } = this.#controls;
     const unitOf = ({ unit }: PlotSource) => (unit === '' ? '' : `, ${unit}`);
-    const names = this.#source.series.map((name) => `${chosen} ${words().names[name] ?? name}${unitOf(this.#source)}`);
+    const names = this.#source.series.map(
+      (name) => `${`${chosen} ${words().names[name] ?? name}`.trim()}${unitOf(this.#source)}`,
+    );
     const x = this.#against === undefined ? [] : [`${this.#against.series[0]}${unitOf(this.#against)}`];
     return csvOf(['t, s', ...names, ...x], this.#history.data());
   }

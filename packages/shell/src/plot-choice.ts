@@ -1,12 +1,15 @@
 /** What the reader's plot shows, as the address names it: `Position.y,Position.x,2`. */
 import { COMPONENTS } from '@principia/physics';
-import { TOTALS, totalsOf } from './plot-sources.ts';
+import { type OwnQuantities, TOTALS, totalsOf } from './plot-sources.ts';
 
 /** What is plotted, against what, and of which body. */
 export interface PlotChoice {
-  /** A total such as `Energy`, or a column such as `Position.y`. */
+  /** A total such as `Energy`, a column such as `Position.y`, or a quantity of the game's own. */
   readonly what: string;
-  /** Along the horizontal axis: a column, or a component of a total such as `Energy.kinetic`; empty for the time. */
+  /**
+   * Along the horizontal axis: a column, a component of a total such as `Energy.kinetic`, or a quantity of the game's own;
+   * empty for the time.
+   */
   readonly against: string;
   /** Number of the body, or 0 for all. */
   readonly body: number;
@@ -16,12 +19,13 @@ export interface PlotChoice {
 export const NO_PLOT = 'off';
 
 /** @returns undefined if a world of these dimensions has no such plot */
-export function readPlotChoice(text: string, dimensions: 2 | 3): PlotChoice | undefined {
+export function readPlotChoice(text: string, dimensions: 2 | 3, own: OwnQuantities = {}): PlotChoice | undefined {
   const [what, against = '', number = '0', ...more] = text.split(',');
   const body = /^\d{1,7}$/.test(number) ? Number(number) : -1;
+  const isSingle = (name: string) => Object.hasOwn(own, name) || isColumn(name);
   const isKnown =
-    ((TOTALS as readonly string[]).includes(what) || isColumn(what)) &&
-    (against === '' || totalsOf(dimensions).includes(against) || isColumn(against));
+    ((TOTALS as readonly string[]).includes(what) || isSingle(what)) &&
+    (against === '' || totalsOf(dimensions).includes(against) || isSingle(against));
   return isKnown && body >= 0 && more.length === 0 ? { what, against, body } : undefined;
 }
 

@@ -3,21 +3,27 @@ import type { PhysicsWorld } from '@principia/physics';
 import { element } from './element.ts';
 import type { PlotChoice } from './plot-choice.ts';
 import { isCompound } from './plot-options.ts';
-import { columnsInUse, type PathChoice, type PlotSource, quantitySource, sourceOf, totalsOf } from './plot-sources.ts';
+import {
+  columnsInUse,
+  type OwnQuantities,
+  type PathChoice,
+  type PlotSource,
+  quantitySource,
+  sourceOf,
+  totalsOf,
+} from './plot-sources.ts';
 import { words } from './words.ts';
 
 const ANY = 'Any value';
-const PLOTS = ['Energy', 'Momentum', 'Angular momentum', ANY] as const;
+const PLOTS = ['Energy', 'Momentum', 'Angular momentum'] as const;
 /** Value of the horizontal axis over time. */
 const TIME = '';
 
 /** The controls and their card. */
 export class PlotControls {
   readonly card: HTMLElement;
-  readonly #choice = select(
-    words().plot,
-    PLOTS.map((name) => [name, words().plots[name]] as const),
-  );
+  readonly #own: OwnQuantities;
+  readonly #choice: HTMLSelectElement;
   readonly #column = select(words().value, []);
   readonly #body = element('input', '', {
     type: 'number',
@@ -30,8 +36,20 @@ export class PlotControls {
   readonly #which: HTMLElement;
   readonly #names = element('span', '');
 
-  /** @param save hands the numbers to the reader */
-  constructor(parent: HTMLElement, onChange: () => void, choose: (kind: 'path' | 'phase') => void, save: () => void) {
+  /** @param own quantities of the game's own @param save hands the numbers to the reader */
+  constructor(
+    parent: HTMLElement,
+    own: OwnQuantities,
+    onChange: () => void,
+    choose: (kind: 'path' | 'phase') => void,
+    save: () => void,
+  ) {
+    this.#own = own;
+    this.#choice = select(words().plot, [
+      ...PLOTS.map((name) => [name, words().plots[name]] as const),
+      ...this.#ownOptions(),
+      [ANY, words().plots[ANY]],
+    ]);
     const { plot, body, bodyHint, against, path, pathHint, phasePortrait, phaseHint, saveNumbers } = words();
     const label = element('label', '', { title: bodyHint }, `${body} `, this.#body);
     this.#which = element('div', 'game-plot-column', {}, this.#column, label);
@@ -60,14 +78,16 @@ export class PlotControls {
   /** Name of what is plotted: a column, or a total in the language of the page. */
   get chosen(): string {
     const { value } = this.#choice;
-    return value === ANY ? this.#column.value : words().plots[value as (typeof PLOTS)[number]];
+    if (value === ANY) return this.#column.value;
+    return this.#own[value]?.label ?? words().plots[value as (typeof PLOTS)[number]];
   }
 
   /** Shows the next plot; hides the card after the last one. */
   next(): void {
+    const { length } = this.#choice.options;
     const at = this.card.hidden ? 0 : this.#choice.selectedIndex + 1;
-    this.card.hidden = at === PLOTS.length;
-    this.#choice.selectedIndex = at % PLOTS.length;
+    this.card.hidden = at === length;
+    this.#choice.selectedIndex = at % length;
   }
 
   /** Chooses one column against another. */
@@ -104,21 +124,30 @@ export class PlotControls {
     if (world !== undefined) this.#offer(world);
     const { body } = this;
     return {
-      source: sourceOf(isColumn ? this.#column.value || 'Energy' : this.#choice.value, body, dimensions),
-      against: this.isPath ? quantitySource(this.#against.value, body, dimensions) : undefined,
+      source: sourceOf(isColumn ? this.#column.value || 'Energy' : this.#choice.value, body, dimensions, this.#own),
+      against: this.isPath ? quantitySource(this.#against.value, body, dimensions, this.#own) : undefined,
     };
+  }
+
+  /** The quantities of the game's own with their names on the page. */
+  #ownOptions(): Options {
+    return Object.entries(this.#own).map(([name, { label }]) => [name, label] as const);
   }
 
   #offer(world: PhysicsWorld): void {
     const columns = columnsInUse(world).map(({ component, field }) => `${component}.${field}`);
     fill(this.#column, columns, []);
-    fill(this.#against, [...totalsOf(world.dimensions), ...columns], [[TIME, words().againstTime]]);
+    fill(
+      this.#against,
+      [...totalsOf(world.dimensions), ...columns],
+      [[TIME, words().againstTime], ...this.#ownOptions()],
+    );
   }
 
   /** Names the lines in their colours, with units that are too long for the axes. */
   showNames({ series, unit }: PlotSource, against: PlotSource | undefined, colors: readonly string[]): void {
-    const lines = series.map((name, i) =>
-      element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name),
+    const lines = series.flatMap((name, i) =>
+      name === '' ? [] : [element('i', '', { style: `--mark: ${colors[i]}` }, words().names[name] ?? name)],
     );
     const axes: [string, string][] =
       against === undefined

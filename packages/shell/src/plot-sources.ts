@@ -28,6 +28,11 @@ export interface PlotSource {
   read(world: PhysicsWorld, out: Float64Array): void;
 }
 
+/** Quantities of a game's own by their names in the address. */
+export type OwnQuantities = Readonly<
+  Record<string, { readonly label: string; readonly unit: string; readonly value: () => number }>
+>;
+
 const axes = (dimensions: 2 | 3) => (dimensions === 2 ? ['x', 'y'] : ['x', 'y', 'z']);
 
 /** Reused for each sample. */
@@ -72,6 +77,17 @@ export function angularMomentumSource(dimensions: 2 | 3): PlotSource {
   };
 }
 
+/** A game's own quantity; its one line has no name, as the plot is called by it. */
+function ownSource({ unit, value }: OwnQuantities[string]): PlotSource {
+  return {
+    unit,
+    series: [''],
+    read(_world, out) {
+      out[0] = value();
+    },
+  };
+}
+
 /** Quantities of the whole world that a plot can have along its horizontal axis; columns come after them. */
 export function totalsOf(dimensions: 2 | 3): string[] {
   return TOTALS.flatMap((plot) => sourceOf(plot, 0, dimensions).series.map((name) => `${plot}.${name}`));
@@ -80,18 +96,19 @@ export function totalsOf(dimensions: 2 | 3): string[] {
 export const TOTALS = ['Energy', 'Momentum', 'Angular momentum'] as const;
 
 /**
- * One quantity: a component of a total such as `Energy.kinetic`, or a column such as `Position.x`, of all bodies the mean.
+ * One quantity: a component of a total such as `Energy.kinetic`, or a column such as `Position.x`, of all bodies the mean;
+ * or a quantity of the game's own.
  * @param body number of the body that a column is of; 0 for all
  */
-export function quantitySource(name: string, body: number, dimensions: 2 | 3): PlotSource {
+export function quantitySource(name: string, body: number, dimensions: 2 | 3, own: OwnQuantities = {}): PlotSource {
   const [plot, part] = name.split('.');
-  const source = sourceOf(name, body, dimensions);
+  const source = sourceOf(name, body, dimensions, own);
   const isTotal = (TOTALS as readonly string[]).includes(plot);
   const index = isTotal ? source.series.indexOf(part) : source.series.length >> 1;
   const values = new Float64Array(source.series.length);
   return {
     unit: source.unit,
-    series: [name],
+    series: [own[name]?.label ?? name],
     read(world, out) {
       source.read(world, values);
       out[0] = values[index];
@@ -99,8 +116,12 @@ export function quantitySource(name: string, body: number, dimensions: 2 | 3): P
   };
 }
 
-/** What a choice of the reader's plots: a total of the world or one of its components, or a column such as `Position.y`. */
-export function sourceOf(name: string, body: number, dimensions: 2 | 3): PlotSource {
+/**
+ * What a choice of the reader's plots: a total of the world or one of its components, a column such as `Position.y`, or a
+ * quantity of the game's own.
+ */
+export function sourceOf(name: string, body: number, dimensions: 2 | 3, own: OwnQuantities = {}): PlotSource {
+  if (Object.hasOwn(own, name)) return ownSource(own[name]);
   const [first, field] = name.split('.');
   if (first === 'Energy') return energySource;
   if (first === 'Momentum') return momentumSource(dimensions);

@@ -1,11 +1,10 @@
 /** The cards beside the picture. They are not needed at the start, so they are loaded after the first frame. */
-import type { PhysicsWorld } from '@principia/physics';
 import type { ClipControl } from './clip-button.ts';
 import type { Actions } from './commands.ts';
-import type { GameCard, Simulation } from './game.ts';
+import type { GameDefinition, Simulation } from './game.ts';
+import { ownQuantities } from './own-quantities.ts';
 import { createPanel, type Panel } from './panel.ts';
 import { PlotCard } from './plot-card.ts';
-import type { OwnUnits } from './plot-sources.ts';
 import { createProfileCard, type ProfileCard } from './profile-card.ts';
 import type { Settings } from './settings.ts';
 import type { Statistics } from './statistics.ts';
@@ -25,39 +24,33 @@ export interface Sidebar<Sim extends Simulation> {
   destroy(): void;
 }
 
-export interface SidebarOptions<Sim extends Simulation> {
-  readonly settings: Settings;
+export interface SidebarOptions<S extends Settings, Sim extends Simulation> {
+  readonly game: GameDefinition<S, Sim>;
   /** Read for display; written only through `set`. */
   readonly values: Readonly<Record<string, unknown>>;
   readonly set: (name: string, value: unknown) => void;
-  /** The world on display. */
-  readonly world: () => PhysicsWorld | undefined;
+  /** What is on display. */
+  readonly sim: () => Sim | undefined;
   readonly actions: Actions;
   readonly clip: ClipControl;
-  /** Whether games can be replayed. */
-  readonly canReplay: boolean;
-  /** Units of a world that is not in SI. */
-  readonly units: OwnUnits | undefined;
   /** The plot that the address names, and what takes a sentence about it. */
   readonly plot: string | undefined;
   readonly report: (sentence: string) => void;
-  /** Creates the game's own cards. */
-  readonly cards: ((parent: HTMLElement) => Promise<readonly GameCard<Sim>[]>) | undefined;
 }
 
-export async function createSidebar<Sim extends Simulation>(
+export async function createSidebar<S extends Settings, Sim extends Simulation>(
   parent: HTMLElement,
-  options: SidebarOptions<Sim>,
+  options: SidebarOptions<S, Sim>,
 ): Promise<Sidebar<Sim>> {
-  const { settings, values, set, world, actions, clip, canReplay } = options;
-  const panel = createPanel(parent, settings, values, set);
-  const cards = (await options.cards?.(parent)) ?? [];
-  const plot = new PlotCard(parent, world, options.units);
+  const { game, values, set, sim, actions, clip } = options;
+  const panel = createPanel(parent, game.settings, values, set);
+  const cards = (await game.cards?.(parent)) ?? [];
+  const plot = new PlotCard(parent, () => sim()?.world, game.units, ownQuantities(game.quantities, sim));
   const problem = options.plot === undefined ? '' : plot.choose(options.plot);
   if (problem !== '') options.report(problem);
   const stats = createStats(parent);
   const profile = createProfileCard(parent);
-  const tools = createToolsCard(parent, actions, clip, canReplay);
+  const tools = createToolsCard(parent, actions, clip, game.replay !== undefined);
   return {
     panel,
     plot,
