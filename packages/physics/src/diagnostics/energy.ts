@@ -3,12 +3,12 @@ import { assertUsable } from '../ecs/guards.ts';
 import { checkVector, isRecord, mustBe, type Vector, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
-import type { PhysicsWorld } from '../world/types.ts';
+import type { GlobalSystem, PhysicsWorld } from '../world/types.ts';
 
 /** Energies, J. */
 export interface Energy {
   readonly kinetic: number;
-  /** Sum over every force with a potential. */
+  /** Sum over every force with a potential, and the springs of joints. */
   readonly potential: number;
   readonly total: number;
 }
@@ -17,9 +17,10 @@ export interface Energy {
 type Writable<T> = { -readonly [Key in keyof T]: T[Key] };
 
 /**
- * Returns the kinetic energy of translation and rotation, and the potential energy of every conservative force. Sums
- * run in f64 over ascending ids. Bodies without mass do not contribute, nor do the springs of joints: they are not
- * among `world.forces`.
+ * Returns the kinetic energy of translation and rotation, and the potential energy of every conservative force and of the
+ * springs of joints: ½ k s² for the stiffness k = m (2π f)² of the reduced mass, or inertia, m, and beyond `maxForce` that times
+ * the way. Sums run in f64 over ascending ids. Bodies without mass do not contribute, nor do `motorJoint` and `mouseJoint`,
+ * which drive a body and have no potential.
  * @param out written and returned: a reusable object, for calls in every frame
  * @throws PhysicsError E_DESTROYED
  */
@@ -30,6 +31,7 @@ export function energy(world: PhysicsWorld, out: Writable<Energy> = { kinetic: 0
   out.kinetic = kineticEnergy(world);
   out.potential = 0;
   for (let f = 0; f < forces.length; f++) out.potential += forces[f].potential?.(world) ?? 0;
+  for (const system of world.phases.finish) out.potential += (system as GlobalSystem).potential?.(world) ?? 0;
   out.total = out.kinetic + out.potential;
   return out;
 }

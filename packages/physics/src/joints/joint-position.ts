@@ -7,8 +7,10 @@ import { assertJoint } from './assert-joint.ts';
 
 type JointKind = (typeof JOINT_KINDS)[number];
 
+export type JointCoordinate = 'angle' | 'along the axis' | 'distance';
+
 /** What limits, springs and motors of a kind of joint act on. */
-const COORDINATES: Readonly<Record<JointKind, 'angle' | 'along the axis' | 'distance' | undefined>> = {
+const COORDINATES: Readonly<Record<JointKind, JointCoordinate | undefined>> = {
   revolute: 'angle',
   distance: 'distance',
   weld: 'angle',
@@ -28,11 +30,21 @@ const COORDINATES: Readonly<Record<JointKind, 'angle' | 'along the axis' | 'dist
  */
 export function jointPosition(world: PhysicsWorld, joint: number): number {
   assertJoint(world, joint);
-  const { Joint, Rotation } = world.components;
-  const [a, b] = [Joint.a[joint], Joint.b[joint]];
-  const kind = JOINT_KINDS[Joint.kind[joint]];
+  const kind = JOINT_KINDS[world.components.Joint.kind[joint]];
   const coordinate = COORDINATES[kind];
   if (coordinate === undefined) throw withoutPosition(joint, kind);
+  return positionAlong(world, joint, coordinate);
+}
+
+/** What limits, springs and motors of a joint act on, if it has one such coordinate. */
+export function coordinateOf(world: PhysicsWorld, joint: number): JointCoordinate | undefined {
+  return COORDINATES[JOINT_KINDS[world.components.Joint.kind[joint]]];
+}
+
+/** Where a joint is along or about its coordinate, m or rad. */
+export function positionAlong(world: PhysicsWorld, joint: number, coordinate: JointCoordinate): number {
+  const { Joint, Rotation } = world.components;
+  const [a, b] = [Joint.a[joint], Joint.b[joint]];
   if (coordinate === 'angle') return Rotation.angle[b] - Rotation.angle[a] - Joint.angle[joint];
   const { x, y } = betweenAnchors(world, joint);
   if (coordinate === 'distance') return Math.sqrt(x * x + y * y);

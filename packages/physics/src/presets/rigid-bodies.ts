@@ -5,6 +5,7 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { velocityVerlet } from '../integrators/velocity-verlet.ts';
 import { breakJoints } from '../joints/create-joint.ts';
 import { JOINT_BYTES_PER_ENTITY } from '../joints/joint-table.ts';
+import { jointSpringEnergy } from '../joints/spring-energy.ts';
 import type { Precision } from '../kernels/instantiate.ts';
 import { refuseUnsupported } from '../solver/refuse-unsupported.ts';
 import { rigidBytesPerEntity, rigidTable } from '../solver/rigid-table.ts';
@@ -34,7 +35,8 @@ function fill(world: PhysicsWorld): void {
   const { phases } = world;
   phases.begin.push(beginStep);
   phases.integrate.push(integrate);
-  phases.finish.push(validateState, nameSystem('break joints', breakJoints));
+  const potential = jointSpringEnergy;
+  phases.finish.push(validateState, nameSystem('break joints', Object.assign(breakJoints, { potential })));
   phases.events.push(dispatchFaultEvents);
 }
 

@@ -189,6 +189,8 @@ export interface GlobalSystem {
    * function is not compared, because minifiers change it. Default none: the systems of each phase are counted.
    */
   readonly systemName?: string;
+  /** Of a system in the phase `finish`: the energy that is stored in what it handles, J, which `energy` adds. Default none. */
+  potential?(world: PhysicsWorld): number;
 }
 
 /** A system that reads and writes only the own row of each body. */
@@ -196,10 +198,7 @@ export interface LocalSystem {
   readonly name: string;
   /** Processes the rows of `ranges`. */
   run(world: PhysicsWorld, ranges: Ranges, dt: number): void;
-  /**
-   * Role next to the integrator, which may fuse the system into its loop: see docs/step.md. Default none: it runs by
-   * itself.
-   */
+  /** Role next to the integrator, which may fuse it into its loop: see docs/step.md. Default none: it runs by itself. */
   readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
   /**
    * For systems of the `collide` phase: what it reads of other bodies beside position and velocity, as components or as
