@@ -37,6 +37,16 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(grounded.at(-1)).toBe(true);
   });
 
+  test('a jump that begins half a step of gravity slower rises by v²/2g', () => {
+    const world = worldWithFloor({ precision });
+    const jump = 5 - (G * DT) / 2;
+    const { heights } = walk(world, addCharacter(world, 0, STANDS), 60, (i) => (i === 0 ? { jump } : {}));
+    // Its places lie on the parabola; the highest is at most half a step from the top, and up to a margin off the floor it stood on.
+    const rise = Math.max(...heights) - STANDS;
+    expect(rise).toBeLessThan((5 * 5) / (2 * G) + 1e-4);
+    expect(rise).toBeGreaterThan((5 * 5) / (2 * G) - (G * DT * DT) / 8 - 1e-4);
+  });
+
   test('on tiles side by side it stays at its height', () => {
     const world = rigidWorld({ precision });
     for (let i = 0; i < 300; i++) {
