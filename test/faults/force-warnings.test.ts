@@ -1,6 +1,7 @@
 /** Forces that are legal and surely not meant get a warning, once, that says what to do. */
 import {
   boris,
+  buoyancy,
   constantTorque,
   magneticField,
   mutualGravity,
@@ -69,4 +70,18 @@ it('names gravity along z in a 2D world', () => {
   expect(warned(2, { z: -9.8 })).toBe('uniformGravity has z = -9.8, which has no effect in a 2D world.');
   expect(warned(2, { y: -9.8, z: 0 })).toBe('');
   expect(warned(3, { z: -9.8 })).toBe('');
+});
+
+it('says that buoyancy carries nothing without a hull', () => {
+  const { world, messages } = warnedWorld({ forces: [buoyancy({ density: 1000, level: 0 })] });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  spawn(world, { position: {}, mass: 1, collider: 0.5 });
+  step(world, 0.01);
+  expect(messages()).toBe('buoyancy has no effect, because no body of this world has a Hull.');
+  const floating = warnedWorld({ forces: [buoyancy({ density: 1000, level: 0 })] });
+  spawn(floating.world, { position: {}, mass: 1, collider: 0.5 });
+  spawn(floating.world, { position: {}, mass: 1, hull: 0.01 });
+  step(floating.world, 0.01);
+  expect(floating.messages()).toBe('');
 });

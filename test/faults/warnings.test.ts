@@ -4,6 +4,8 @@ import {
   box,
   boxWalls,
   breakSprings,
+  COMBINE,
+  circle,
   createJoint,
   createRope,
   createRunner,
@@ -213,6 +215,36 @@ it('says that a box falls through a floor in a world that knows no shapes', () =
   step(world, 0.01);
   expect(messages()).toBe('body 2 passes through body 1, because no system of this world knows shapes.');
   expect(warnings[0].hint).toContain('rigidBodies');
+});
+
+it('says that a ball falls through a box, too', () => {
+  const { world, messages } = warnedWorld();
+  spawn(world, { position: { y: -1 }, collider: { shape: box(9, 1) } });
+  spawn(world, { position: { y: 3 }, mass: 1, collider: { radius: 0.5, mask: 0 } });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  spawn(world, { position: { y: 1 }, mass: 1, collider: 0.5 });
+  step(world, 0.01);
+  expect(messages()).toBe('body 3 passes through body 1, because no system of this world knows shapes.');
+});
+
+it('says that contacts of particles take a box for the disc around it', () => {
+  const { world, messages } = warnedWorld({ preset: particleContacts });
+  spawn(world, { position: { y: -1 }, collider: { shape: box(20, 1) } });
+  step(world, 0.01);
+  expect(messages()).toBe('');
+  spawn(world, { position: { y: 30 }, mass: 1, collider: { shape: circle(0.5) } });
+  step(world, 0.01);
+  expect(messages()).toBe(
+    'body 1 meets others as a disc of 10 m, the circle around its shape, because the contacts of this world know discs only.',
+  );
+});
+
+it.each(['frictionCombine', 'restitutionCombine'] as const)('says that particles have no %s', (rule) => {
+  const { world, messages } = warnedWorld({ preset: particleContacts });
+  spawn(world, { position: {}, mass: 1, collider: { radius: 0.5, [rule]: COMBINE.min } });
+  step(world, 0.01);
+  expect(messages()).toBe(`body 1 has \`collider.${rule}\`, which has no effect: only rigid bodies have it.`);
 });
 
 it('names a rigid body that friction cannot roll, unless that is said to be meant', () => {

@@ -11,6 +11,7 @@ export function warnAboutForces(world: PhysicsWorld, dt: number): void {
   warnAboutMagneticFields(world);
   warnAboutTorques(world);
   warnAboutStrongDrag(world, dt);
+  warnAboutMissingHulls(world);
 }
 
 function warnAboutRepeatedForces(world: PhysicsWorld): void {
@@ -113,6 +114,18 @@ function warnAboutTorques(world: PhysicsWorld): void {
     hint: `Spawn it with ${pose} as well.`,
   };
   warnOnce(world, warning, 'torque without AngularVelocity');
+}
+
+/** Water does not know what it carries by its collider. */
+function warnAboutMissingHulls(world: PhysicsWorld): void {
+  const { Hull, Mass, Velocity } = world.internal.counts;
+  const force = world.forces.find(({ name }) => name === 'buoyancy' || name === 'polygon buoyancy');
+  if (force === undefined || Hull > 0 || Mass === 0 || Velocity === 0) return;
+  const warning = {
+    message: `${force.name} has no effect, because no body of this world has a Hull.`,
+    hint: 'Spawn what floats with `hull: volume`, in m³, or `hull: { volume, shape }`: the collider does not say it.',
+  };
+  warnOnce(world, warning, 'no Hull');
 }
 
 /** A drag that takes more than twice the speed of a body in a step throws it back, faster each time. */

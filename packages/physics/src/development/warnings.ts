@@ -75,7 +75,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutInertiaTensors(world);
   warnAboutForces(world, dt);
   warnAboutSprings(world);
-  warnAboutShapes(world);
+  warnAboutShapes(world, plan);
   warnAboutMissingPositions(world);
   warnAboutSurfaces(world, plan);
   warnAboutRigidSurfaces(world, plan);
@@ -206,15 +206,21 @@ function warnAboutSprings(world: PhysicsWorld): void {
   });
 }
 
-/** A box above a floor is meant to land on it. */
-function warnAboutShapes(world: PhysicsWorld): void {
-  if (world.integrator.solvesWalls === true || world.internal.counts.Collider === 0) return;
+/** What falls is meant to land on a box, and a box to meet others as a box. */
+function warnAboutShapes(world: PhysicsWorld, { systems }: Plan): void {
+  if (world.integrator.solvesWalls === true || world.internal.counts.Collider < 2) return;
   const { Collider, Mass } = world.components;
-  const moving = firstRow(world, (id) => Collider.shape[id] > 0 && Mass.value[id] > 0);
-  const still = moving > 0 ? firstRow(world, (id) => Collider.shape[id] > 0 && !(Mass.value[id] > 0)) : 0;
-  if (still === 0) return;
+  const meets = (id: number) => Collider.radius[id] > 0 && Collider.mask[id] !== 0 && Collider.sensor[id] === 0;
+  const collides = systems.collide.some(({ name }) => name === 'collide bodies');
+  // Circles have no shape of their own.
+  const shaped = firstRow(world, (id) => meets(id) && Collider.shape[id] > 0 && (collides || !(Mass.value[id] > 0)));
+  const moving = collides || shaped === 0 ? 0 : firstRow(world, (id) => meets(id) && Mass.value[id] > 0);
+  if (shaped === 0 || !(collides || moving > 0)) return;
+  const radius = Number(Collider.radius[shaped].toPrecision(3));
   const warning = {
-    message: `body ${moving} passes through body ${still}, because no system of this world knows shapes.`,
+    message: collides
+      ? `body ${shaped} meets others as a disc of ${radius} m, the circle around its shape, because the contacts of this world know discs only.`
+      : `body ${moving} passes through body ${shaped}, because no system of this world knows shapes.`,
     hint: 'Create the world with `preset: rigidBodies`.',
   };
   warnOnce(world, warning, 'shapes');
@@ -235,7 +241,16 @@ function warnAboutSurfaces(world: PhysicsWorld, { systems }: Plan): void {
 }
 
 /** Fields of Collider that only rigid bodies have. */
-const RIGID_SURFACES = ['sensor', 'bullet', 'oneWay', 'group', 'rollingResistance', 'tangentSpeed'] as const;
+const RIGID_SURFACES = [
+  'sensor',
+  'bullet',
+  'oneWay',
+  'group',
+  'rollingResistance',
+  'tangentSpeed',
+  'frictionCombine',
+  'restitutionCombine',
+] as const;
 
 function warnAboutRigidSurfaces(world: PhysicsWorld, { systems }: Plan): void {
   if (world.integrator.solvesWalls === true || systems.collide.length === 0) return;
