@@ -20,6 +20,7 @@ import {
   spawn,
   step,
   turbulentDrag,
+  uniformGravity,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 
@@ -229,4 +230,16 @@ describe('the memory of a force', () => {
     }
     expect(world.internal.arena.top).toBe(top);
   });
+});
+
+it('says that the new force comes first, and that the old one must be that of the list', () => {
+  const [old, other] = [uniformGravity({ y: -1 }), uniformGravity({ y: -1 })];
+  const world = createPhysicsWorld({ forces: [old] });
+  const message = 'old must be in world.forces; the new force comes first, got "uniform gravity".';
+  expect(() => replaceForce(world, old, other)).toThrow(message);
+  const third = uniformGravity({ y: -2 });
+  expect(() => replaceForce(world, third, other)).toThrow(message);
+  expect(world.forces).toEqual([old]);
+  replaceForce(world, third, old);
+  expect(world.forces).toEqual([third]);
 });

@@ -1,5 +1,5 @@
 import { assertUsable, whenIdle } from '../../ecs/guards.ts';
-import { unknownName } from '../../errors/validate.ts';
+import { mustBe, unknownName } from '../../errors/validate.ts';
 import { checkForce, releaseForce } from '../../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../../world/types.ts';
 
@@ -27,6 +27,7 @@ export function replaceForce(world: PhysicsWorld, force: Force, old?: Force): vo
 function indexOfForce({ forces }: PhysicsWorld, force: Force, old: Force | undefined): number {
   const index = forces.findIndex((each) => (old === undefined ? each.name === force.name : each === old));
   if (index >= 0) return index;
+  if (old !== undefined) throw mustBe('in world.forces; the new force comes first', old.name, 'old', 'E_UNKNOWN');
   const names = forces.map(({ name }) => name);
-  throw unknownName('this world', 'force', (old ?? force).name, names);
+  throw unknownName('this world', 'force', force.name, names);
 }
