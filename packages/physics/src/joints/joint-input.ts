@@ -23,7 +23,7 @@ export interface JointSpring {
 
 /** A motor along the free coordinate. */
 export interface JointMotor {
-  /** Speed that it keeps, m/s or rad/s. */
+  /** Speed that it keeps, m/s or rad/s. With 0 it is friction: it brakes by at most `max`, and what hangs on it comes to rest. */
   readonly speed: number;
   /** Largest force, N, or torque, N m. */
   readonly max: number;

@@ -20,7 +20,9 @@ export interface RevoluteOptions extends JointOptions {
 }
 
 /**
- * A hinge: the two bodies share a point and turn about it.
+ * A hinge: the two bodies share a point and turn about it. It has no friction, so that limbs of a ragdoll swing on for long and
+ * keep it awake: `motor: { speed: 0, max }` is friction of up to `max`, a tenth of the weight times the arm for example, with
+ * which they come to rest and sleep.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function revolute(options: RevoluteOptions): JointInput {
