@@ -16,9 +16,14 @@ import { anyForceAppliesTorque } from '../dynamics/evaluate-forces.ts';
 import { areForcesSteady } from '../dynamics/steady-forces.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkKeys, checkNumber } from '../errors/validate.ts';
+import { springTable } from '../forces/support/spring-table.ts';
 import { breakJoints } from '../joints/create-joint.ts';
 import { jointTable, refreshJoints } from '../joints/joint-table.ts';
-import { RigidTableNumber as Value, RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import {
+  SpringTableWord as SpringWord,
+  RigidTableNumber as Value,
+  RigidTableWord as Word,
+} from '../memory/layouts.gen.ts';
 import { markSoftStep } from '../world/is-soft-step.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { askAboutPairs, type ShouldCollide } from './ask-user.ts';
@@ -49,7 +54,10 @@ export interface SoftStepOptions {
   readonly restitutionThreshold?: number;
   /** Impacts faster than this are listed in `contactEvents(world).hit`, m/s; default 1. */
   readonly hitSpeed?: number;
-  /** A body none of whose points is faster, or gains a tenth of it while it is still, is still, m/s; default 0.05. */
+  /**
+   * A body none of whose points is faster, or gains a tenth of it, is still, m/s; default 0.05. On the mean of half of `sleepTime`
+   * it moves by at most 2/5 of it, or by 1/10 where nothing of its island touches; what nothing holds has a thousandth of it.
+   */
   readonly sleepSpeed?: number;
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */
   readonly sleepTime?: number;
@@ -160,6 +168,7 @@ function advance(
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
   words[Word.joints] = joints;
   words[Word.linkCount] = 0;
+  listSprings(world, words);
   words[Word.loopCount] = 0;
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
@@ -206,6 +215,15 @@ function advance(
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
   kernels.rememberPoses(at, contentVersion(world));
+}
+
+/** Tells the islands which bodies springs connect. */
+function listSprings(world: PhysicsWorld, words: Uint32Array): void {
+  words[Word.springCount] = 0;
+  if (world.internal.counts.Spring === 0 || world.internal.springTable === undefined) return;
+  const springs = springTable(world).words;
+  words[Word.springs] = springs[SpringWord.links];
+  words[Word.springCount] = springs[SpringWord.active];
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;

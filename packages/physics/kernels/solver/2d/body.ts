@@ -77,6 +77,9 @@ export const JOINED: u32 = 2097152;
 // It is at an end of a joint that closes a loop.
 export const LOOPED: u32 = 4194304;
 
+// It is kinematic and stands where it stood in the last step.
+export const STANDS: u32 = 8388608;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator
@@ -102,6 +105,12 @@ export const MOVES: u32 = DYNAMIC | KINEMATIC;
 // @ts-ignore: decorator
 @inline export function flagsOf(t: RigidTable, row: i32): u32 {
   return load<u32>(t.flags + ((<usize>row) << 2));
+}
+
+// Whether a body with these flags may have moved since the last step.
+// @ts-ignore: decorator
+@inline export function isActive(flags: u32): bool {
+  return ((flags & MOVES) != 0 && (flags & (ASLEEP | STANDS)) == 0) || (flags & SHIFTED) != 0;
 }
 
 // Whether contacts and joints move a body with these flags.

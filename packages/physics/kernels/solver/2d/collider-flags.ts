@@ -16,6 +16,7 @@ export function findColliderFlags(t: RigidTable): void {
     isUsed(t.frictionCombine, words) ||
     isUsed(t.restitutionCombine, words);
   t.usesColliderFlags = any ? 1 : 0;
+  t.usesResistance = isUsed(t.rollingResistance, reals) ? 1 : 0;
 }
 
 function isUsed(column: usize, bytes: usize): bool {

@@ -1,5 +1,6 @@
 // Islands: bodies that touch or are joined, directly or through others. What does not move connects nothing. An island falls
-// asleep when all its bodies have been still for a while, and wakes as a whole. Source: Box2D 3 (island.c, solver_set.c).
+// asleep when all its bodies have been still for a while (still-bodies.ts), and wakes as a whole. Source: Box2D 3 (island.c,
+// solver_set.c).
 import { columns, get, put } from '../../memory/columns';
 import { contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
 import {
@@ -8,30 +9,29 @@ import {
   DYNAMIC,
   KINEMATIC,
   PART,
-  SLEEPLESS,
   TO_SLEEP,
   WAKES,
   flagsOf,
+  isActive,
   poseOf,
   putFlags,
   putWord,
-  stateOf,
   word,
 } from './body';
 import { readPose } from './gather-bodies';
 import { bodyOf, placePart } from './parts';
-import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { Sleeper, hasNewCollider, sleeperOf } from './sleeper';
-
-// A change of acceleration, m/s², that wakes a body: in the time until it would sleep again it moves it faster than what
-// counts as still.
-const WAKING_ACCELERATION: real = 0.1;
-
-// A body that gains more than this part of the speed that counts as still is not: where gravity is weak a block that begins to
-// tip, or a ball at the top of its flight, is slow for longer than it takes to fall asleep. It may lose more, as piles do that
-// settle.
-const GAIN: real = 0.1;
+import {
+  HELD,
+  TOUCHES,
+  countStill,
+  freeAcceleration,
+  heldAcceleration,
+  noteForces,
+  restsFor,
+  watchSleepers,
+} from './still-bodies';
 
 // Ends a step: counts how long bodies have been still, and lets islands sleep.
 export function updateSleep(table: usize): void {
@@ -43,39 +43,18 @@ export function updateSleep(table: usize): void {
   sleepIslands(t);
 }
 
-// Whether any body has been still for long enough.
-function countStill(t: RigidTable): bool {
-  const dt = <real>t.dt;
-  const limit = <real>t.sleepSpeed;
-  const gain = GAIN * limit;
-  let any = false;
-  for (let i = 0; i < t.awakeCount; i++) {
-    const row = word(t.awake, i);
-    const sleeper = sleeperOf(t, row);
-    const speed = speedOf(t, row);
-    if (sleeper.stillFor == 0 || speed < sleeper.slowest) sleeper.slowest = speed;
-    const still = (flagsOf(t, row) & SLEEPLESS) == 0 && speed <= limit && speed - sleeper.slowest <= gain;
-    sleeper.stillFor = still ? sleeper.stillFor + dt : 0;
-    sleeper.island = row;
-    if (<f64>sleeper.stillFor >= t.sleepTime || (flagsOf(t, row) & TO_SLEEP) != 0) any = true;
-  }
-  return any;
-}
-
-// The larger of the speed of the fastest point and half the rate at which the body was displaced, m/s.
-function speedOf(t: RigidTable, row: i32): real {
-  const state = stateOf(t, row);
-  const extent = poseOf(t, row).extent;
-  const speed = sqrt<real>(state.vx * state.vx + state.vy * state.vy) + abs<real>(state.w) * extent;
-  return max<real>(speed, (<real>0.5 * pathOf(t, row)) / <real>t.dt);
-}
-
 function joinIslands(t: RigidTable): void {
   for (let i = 0; i < t.touchingCount; i++) {
     const contact = contactAt(t, word(t.touching, 2 * i));
     joinBodies(t, contact.bodyA, contact.bodyB);
+    sleeperOf(t, contact.bodyA).holds |= TOUCHES;
+    sleeperOf(t, contact.bodyB).holds |= TOUCHES;
   }
   for (let i = 0; i < t.linkCount; i++) joinBodies(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+  // A spring holds nothing in its place, but what pulls at one end feels the other.
+  for (let i = 0; i < t.springCount; i++) {
+    joinAwake(t, springEnd(t, i, 0), springEnd(t, i, 1));
+  }
 }
 
 // For pictures: the islands of all bodies, as they are after the step. Steps find them only when something may fall asleep.
@@ -87,12 +66,13 @@ export function labelIslands(table: usize): void {
   }
   for (let i = 0; i < t.touchingCount; i++) {
     const contact = contactAt(t, word(t.touching, 2 * i));
-    labelPair(t, contact.bodyA, contact.bodyB);
+    joinAwake(t, contact.bodyA, contact.bodyB);
   }
-  for (let i = 0; i < t.linkCount; i++) labelPair(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+  for (let i = 0; i < t.linkCount; i++) joinAwake(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
+  for (let i = 0; i < t.springCount; i++) joinAwake(t, springEnd(t, i, 0), springEnd(t, i, 1));
 }
 
-function labelPair(t: RigidTable, a: i32, b: i32): void {
+function joinAwake(t: RigidTable, a: i32, b: i32): void {
   if ((flagsOf(t, a) & flagsOf(t, b) & DYNAMIC) == 0) return;
   if (((flagsOf(t, a) | flagsOf(t, b)) & ASLEEP) == 0) joinBodies(t, a, b);
 }
@@ -109,6 +89,8 @@ function joinBodies(t: RigidTable, a: i32, b: i32): void {
   const kindA = flagsOf(t, a);
   const kindB = flagsOf(t, b);
   if ((kindA & kindB & DYNAMIC) == 0) {
+    sleeperOf(t, a).holds |= HELD;
+    sleeperOf(t, b).holds |= HELD;
     if ((kindA & KINEMATIC) != 0 && sleeperOf(t, a).stillFor == 0) sleeperOf(t, b).stillFor = 0;
     if ((kindB & KINEMATIC) != 0 && sleeperOf(t, b).stillFor == 0) sleeperOf(t, a).stillFor = 0;
     return;
@@ -130,13 +112,16 @@ export function islandOf(t: RigidTable, row: i32): i32 {
   return at;
 }
 
-// An island has been still for as long as the body that moved last.
+// An island has been still for as long as the body that moved last. What nothing holds must have been at rest besides.
 function sleepIslands(t: RigidTable): void {
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const first = sleeperOf(t, islandOf(t, row));
     const sleeper = sleeperOf(t, row);
     if (sleeper.stillFor < first.stillFor) first.stillFor = sleeper.stillFor;
+    if (sleeper.steadyFor < first.steadyFor) first.steadyFor = sleeper.steadyFor;
+    if (sleeper.freeFor < first.freeFor) first.freeFor = sleeper.freeFor;
+    first.holds |= sleeper.holds;
     sleeper.next = row;
   }
   putIslandsToSleep(t);
@@ -144,8 +129,8 @@ function sleepIslands(t: RigidTable): void {
     const row = word(t.awake, i);
     const island = islandOf(t, row);
     const first = sleeperOf(t, island);
-    if ((flagsOf(t, row) & DYNAMIC) == 0 || <f64>first.stillFor < t.sleepTime) continue;
-    fallAsleep(t, row);
+    if ((flagsOf(t, row) & DYNAMIC) == 0 || <f64>restsFor(first) < t.sleepTime) continue;
+    fallAsleep(t, row, first);
     if (row == island) continue;
     // The ring grows behind its first body.
     sleeperOf(t, row).next = first.next;
@@ -159,11 +144,13 @@ function putIslandsToSleep(t: RigidTable): void {
     const row = word(t.awake, i);
     if ((flagsOf(t, row) & TO_SLEEP) == 0) continue;
     putFlags(t, row, flagsOf(t, row) & ~TO_SLEEP);
-    sleeperOf(t, islandOf(t, row)).stillFor = <real>Infinity;
+    const first = sleeperOf(t, islandOf(t, row));
+    first.stillFor = <real>Infinity;
+    first.holds = HELD | TOUCHES;
   }
 }
 
-function fallAsleep(t: RigidTable, row: i32): void {
+function fallAsleep(t: RigidTable, row: i32, first: Sleeper): void {
   const c = columns();
   put(c.velocityX, row, 0);
   put(c.velocityY, row, 0);
@@ -174,29 +161,9 @@ function fallAsleep(t: RigidTable, row: i32): void {
   for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) placePart(t, part, row);
   const sleeper = sleeperOf(t, row);
   sleeper.angle = get(t.angle, row);
-  sleeper.fx = get(t.forceX, row);
-  sleeper.fy = get(t.forceY, row);
-  sleeper.torque = torqueOn(t, row);
-}
-
-// @ts-ignore: decorator
-@inline function torqueOn(t: RigidTable, row: i32): real {
-  return t.torqueZ == 0 ? <real>0 : get(t.torqueZ, row);
-}
-
-// A sleeping body on which other forces act than when it fell asleep wakes in the next step.
-function watchSleepers(t: RigidTable): void {
-  for (let row = 1; row < t.rows; row++) {
-    const flags = flagsOf(t, row);
-    if ((flags & (ASLEEP | PART)) != ASLEEP) continue;
-    const pose = poseOf(t, row);
-    const sleeper = sleeperOf(t, row);
-    const x = get(t.forceX, row) - sleeper.fx;
-    const y = get(t.forceY, row) - sleeper.fy;
-    const turn = abs<real>(torqueOn(t, row) - sleeper.torque) * pose.inverseInertia * pose.extent;
-    const acceleration = sqrt<real>(x * x + y * y) * pose.inverseMass + turn;
-    if (acceleration > WAKING_ACCELERATION) putFlags(t, row, flags | WAKES);
-  }
+  sleeper.isStopped = first.stillFor == <real>Infinity ? 1 : 0;
+  sleeper.wakingAcceleration = (first.holds & HELD) != 0 ? heldAcceleration(t) : freeAcceleration(t);
+  noteForces(t, row, sleeper);
 }
 
 // Whether a sleeping body was moved, or left, since it fell asleep.
@@ -221,4 +188,25 @@ export function wakeIsland(t: RigidTable, row: i32): void {
     sleeper.stillFor = 0;
     at = sleeper.next;
   } while (at != row);
+}
+
+// Wakes what springs connect with something that moves. Returns whether anything woke.
+export function wakeSprung(t: RigidTable): bool {
+  let any = false;
+  for (let i = 0; i < t.springCount; i++) {
+    const a = springEnd(t, i, 0);
+    const b = springEnd(t, i, 1);
+    const flagsA = flagsOf(t, a);
+    const flagsB = flagsOf(t, b);
+    if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB))) continue;
+    wakeIsland(t, (flagsA & ASLEEP) != 0 ? a : b);
+    any = true;
+  }
+  return any;
+}
+
+// The body at an end of a spring.
+// @ts-ignore: decorator
+@inline function springEnd(t: RigidTable, i: i32, end: i32): i32 {
+  return word(t.springs, 3 * i + 1 + end);
 }

@@ -44,8 +44,9 @@ export class RigidTable {
   group: usize;
   frictionCombine: usize;
   restitutionCombine: usize;
-  // Whether any of these but `bullet` is used in this step.
+  // Whether any of these but `bullet` is used in this step, and whether `rollingResistance` is.
   usesColliderFlags: i32;
+  usesResistance: i32;
   // Bits of membership: what makes a body dynamic, and what lets it turn.
   dynamicBits: u32;
   turningBits: u32;
@@ -102,6 +103,9 @@ export class RigidTable {
   sleepers: usize;
   links: usize;
   linkCount: i32;
+  // The springs that act in this step: id, and the rows of both ends (forces/springs.ts).
+  springs: usize;
+  springCount: i32;
   // Trees of boxes: the nodes, their number, whether they hold the rows that they should, and a list for making them.
   staticNodes: usize;
   staticNodeCount: i32;

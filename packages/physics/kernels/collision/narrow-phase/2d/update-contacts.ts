@@ -18,10 +18,10 @@ import {
   ONE_WAY,
   PART,
   SENSOR,
-  SHIFTED,
   WAKES,
   WALL,
   flagsOf,
+  isActive,
   poseOf,
   putFlags,
   putWord,
@@ -29,7 +29,7 @@ import {
 } from '../../../solver/2d/body';
 import { listAwake } from '../../../solver/2d/gather-bodies';
 import { clearEvents, noteEnd, noteSensorPairEnd } from '../../../solver/2d/contact-events';
-import { wakeIsland } from '../../../solver/2d/islands';
+import { wakeIsland, wakeSprung } from '../../../solver/2d/islands';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
@@ -68,7 +68,7 @@ const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16)
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
-// Wakes the islands that something awake touches, before contacts are updated.
+// Wakes the islands that something awake touches or pulls at by a spring, before contacts are updated.
 export function wakeTouched(table: usize): void {
   const t = changetype<RigidTable>(table);
   if (t.asleepCount == 0) return;
@@ -86,7 +86,7 @@ export function wakeTouched(table: usize): void {
     wakeBody(t, contact.bodyB);
     any = true;
   }
-  if (any) listAwake(t);
+  if (wakeSprung(t) || any) listAwake(t);
 }
 
 // @ts-ignore: decorator
@@ -156,12 +156,6 @@ function wakeLater(t: RigidTable, contact: RigidContact): void {
     const row = side == 0 ? contact.bodyA : contact.bodyB;
     if ((flagsOf(t, row) & ASLEEP) != 0) putFlags(t, row, flagsOf(t, row) | WAKES);
   }
-}
-
-// Returns whether the body may have moved; a contact of two bodies that have not moved is unchanged.
-// @ts-ignore: decorator
-@inline function isActive(flags: u32): bool {
-  return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
 // Contacts that touch, of a dynamic body with one that is static or kinematic.
