@@ -20,6 +20,7 @@ import {
   SENSOR,
   SHIFTED,
   SLEEPLESS,
+  STANDS,
   STATIC,
   WAKES,
   WALL,
@@ -70,7 +71,11 @@ function classifyParts(t: RigidTable): void {
     const body = kind == 0 ? 0 : word(t.attachmentBody, row);
     if (word(t.owners, row) != body) leaveBody(t, row);
     putWord(t.owners, row, body);
-    if (classify(t, row, kind) && (flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
+    const changed = classify(t, row, kind);
+    if (!changed && (kind == 0 || !hasNewCollider(t, row))) continue;
+    if (kind != 0) putFlags(t, row, flagsOf(t, row) | SHIFTED);
+    recordCollider(t, row);
+    if ((flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
   }
 }
 
@@ -104,6 +109,7 @@ export function listAwake(t: RigidTable): void {
       continue;
     }
     if ((flags & (STATIC | COMPOUND)) == STATIC && isUnchanged(c, t, row)) continue;
+    if ((flags & KINEMATIC) != 0) watchKinematic(c, t, row);
     readPose(c, t, row);
     readExtents(t, row);
     if ((flags & MOVES) == 0) continue;
@@ -118,9 +124,22 @@ export function listAwake(t: RigidTable): void {
 // Whether pose and collider of a static body are those of the last step. A body without a box is new, or collides with
 // nothing.
 function isUnchanged(c: Columns, t: RigidTable, row: i32): bool {
+  return !isForgotten(rowBox(t, row)) && isWhereItWas(c, t, row) && !hasNewCollider(t, row);
+}
+
+// @ts-ignore: decorator
+@inline function isWhereItWas(c: Columns, t: RigidTable, row: i32): bool {
   const pose = poseOf(t, row);
-  if (isForgotten(rowBox(t, row)) || get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return false;
-  return get(t.angle, row) == sleeperOf(t, row).angle && !hasNewCollider(t, row);
+  if (get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return false;
+  return get(t.angle, row) == sleeperOf(t, row).angle;
+}
+
+// What lies on a kinematic body that stands may sleep.
+function watchKinematic(c: Columns, t: RigidTable, row: i32): void {
+  const hasShape = (flagsOf(t, row) & COLLIDES) != 0;
+  const stands = !isDriven(c, row) && (hasShape ? isUnchanged(c, t, row) : isWhereItWas(c, t, row));
+  sleeperOf(t, row).angle = get(t.angle, row);
+  if (stands) putFlags(t, row, flagsOf(t, row) | STANDS);
 }
 
 // Returns whether the row has another body than in the last step, or one that collides otherwise.
@@ -131,7 +150,7 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   const changed = !same || ((before ^ kind) & KINDS) != 0 || ((kind & COLLIDES) != 0 && hasNewFilter(t, row));
   if (
     (before & (ASLEEP | PART)) == ASLEEP &&
-    (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row))
+    (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row, kind))
   )
     wakeIsland(t, row);
   if ((kind & SENSOR) != 0) t.sensorCount++;

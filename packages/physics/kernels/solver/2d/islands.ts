@@ -19,6 +19,7 @@ import {
   word,
 } from './body';
 import { readPose } from './gather-bodies';
+import { locksOf } from './motion-locks';
 import { bodyOf, placePart } from './parts';
 import { RigidTable } from './rigid-table';
 import { Sleeper, hasNewCollider, sleeperOf } from './sleeper';
@@ -161,19 +162,21 @@ function fallAsleep(t: RigidTable, row: i32, first: Sleeper): void {
   for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) placePart(t, part, row);
   const sleeper = sleeperOf(t, row);
   sleeper.angle = get(t.angle, row);
+  sleeper.locks = locksOf(t, row, flagsOf(t, row));
   sleeper.isStopped = first.stillFor == <real>Infinity ? 1 : 0;
   sleeper.wakingAcceleration = (first.holds & HELD) != 0 ? heldAcceleration(t) : freeAcceleration(t);
   noteForces(t, row, sleeper);
 }
 
-// Whether a sleeping body was moved, or left, since it fell asleep.
+// Whether a sleeping body was moved, left or unlocked since it fell asleep. Its flags are those of this step.
 // @ts-ignore: decorator
-@inline export function wasDisturbed(t: RigidTable, row: i32): bool {
+@inline export function wasDisturbed(t: RigidTable, row: i32, flags: u32): bool {
   const c = columns();
   const pose = poseOf(t, row);
   if (get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return true;
   if (get(t.angle, row) != sleeperOf(t, row).angle) return true;
   if ((flagsOf(t, row) & COLLIDES) != 0 && hasNewCollider(t, row)) return true;
+  if (locksOf(t, row, flags) != sleeperOf(t, row).locks) return true;
   return get(c.velocityX, row) != 0 || get(c.velocityY, row) != 0 || get(c.angularVelocityZ, row) != 0;
 }
 

@@ -28,6 +28,14 @@ export function holdLocked(table: usize): void {
   }
 }
 
+// Which axes of a body with these flags are locked, in bits.
+export function locksOf(t: RigidTable, row: i32, flags: u32): i32 {
+  if ((flags & LOCKED) == 0) return 0;
+  const x = word(t.lockX, row) != 0 ? 1 : 0;
+  const y = word(t.lockY, row) != 0 ? 2 : 0;
+  return x | y | (word(t.lockAngle, row) != 0 ? 4 : 0);
+}
+
 // The inverse masses of a body along the axes.
 // @ts-ignore: decorator
 @inline export function inverseMassX(t: RigidTable, row: i32): real {

@@ -16,6 +16,7 @@ import {
   PART,
   ROUND,
   SHIFTED,
+  STANDS,
   STATIC,
   flagsOf,
   poseOf,
@@ -69,7 +70,7 @@ export function placeParts(t: RigidTable): void {
     const flags = flagsOf(t, row);
     if ((flags & PART) == 0) continue;
     const body = word(t.owners, row);
-    const kept = flagsOf(t, body) & (ASLEEP | FAST | SHIFTED);
+    const kept = flagsOf(t, body) & (ASLEEP | FAST | SHIFTED | STANDS);
     putFlags(t, row, (flags & ~(ASLEEP | FAST)) | kept);
     if ((kept & ASLEEP) == 0) placePart(t, row, body);
   }

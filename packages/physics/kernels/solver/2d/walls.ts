@@ -6,6 +6,7 @@ import { shapeOf } from '../../collision/shapes/2d/shape-pool';
 import { makePlane, makeSegment } from '../../collision/shapes/2d/wall-shapes';
 import { BodyPose, SHIFTED, WALL, flagsOf, poseOf, putFlags, putWord, word } from './body';
 import { RigidTable } from './rigid-table';
+import { sleeperOf } from './sleeper';
 import { WallColumns } from './wall-columns';
 
 // The shape of a body or of a wall.
@@ -40,7 +41,11 @@ export function placeWall(t: RigidTable, row: i32): void {
   const shape = changetype<Shape>(<usize>word(t.wallShapes, row));
   const pose = poseOf(t, row);
   const moved = isSegment(t, row) ? placeSegment(t, row, shape, pose) : placePlane(t, row, shape, pose);
-  if (moved) putFlags(t, row, flagsOf(t, row) | SHIFTED);
+  // What lies on a wall wakes when that has another friction.
+  const friction = wallFriction(t, row);
+  const sleeper = sleeperOf(t, row);
+  if (moved || friction != sleeper.friction) putFlags(t, row, flagsOf(t, row) | SHIFTED);
+  sleeper.friction = friction;
   pose.c = 1;
   pose.s = 0;
   pose.inverseMass = 0;
