@@ -9,6 +9,7 @@ export { ballInertia, ballMass, boxInertia, cylinderInertia, discInertia, discMa
 export type { Many, ManyInput } from './bodies/many.ts';
 export { bodyOf, partsOf } from './bodies/parts.ts';
 export { type PrincipalAxes, principalAxes, type TensorInput } from './bodies/principal-axes.ts';
+export { setDensity } from './bodies/set-density.ts';
 export { setShape } from './bodies/set-shape.ts';
 export { despawn, spawn } from './bodies/spawn.ts';
 export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';

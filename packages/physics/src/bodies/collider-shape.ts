@@ -97,12 +97,13 @@ export function checkShape(world: PhysicsWorld, given: unknown, field: string): 
 }
 
 /** Mass for each unit of density, and inertia for each unit of mass. */
-interface Solid {
+export interface Solid {
   readonly massPerDensity: number;
   readonly inertiaPerMass: number;
 }
 
-function solidOf(world: PhysicsWorld, shape: Shape | undefined, radius: unknown): Solid {
+/** Mass and inertia of a shape, or of a disc or ball of a radius. @throws PhysicsError E_TYPE, E_NONFINITE */
+export function solidOf(world: PhysicsWorld, shape: Shape | undefined, radius: unknown): Solid {
   if (shape !== undefined) return { massPerDensity: shape.area, inertiaPerMass: shape.inertiaPerMass };
   const checked = checkNumber(radius, 'collider.radius');
   return world.dimensions === 3

@@ -49,7 +49,10 @@ function withoutMass(body: number, parts: number): PhysicsError {
   return new PhysicsError('E_RANGE', `setCompoundDensity: body ${body} has ${lack}.`, {
     entity: body,
     field: 'body',
-    hint: parts === 0 ? 'Despawn a body that has lost its last part.' : 'Give spawnCompound densities or a mass.',
+    hint:
+      parts === 0
+        ? 'Despawn a body that has lost its last part; setDensity(world, body, density) is for those that never had any.'
+        : 'Give spawnCompound densities or a mass.',
   });
 }
 
