@@ -181,3 +181,24 @@ test('what lies on a kinematic body sleeps on while that stands, and wakes when 
   run(world, 2);
   expect(world.components.Position.y[load]).toBeCloseTo(-0.5, 2);
 });
+
+describe.each([0.2, 2])('a floor that becomes one-way %s s after a box has landed', (seconds) => {
+  const boxOn = (rotation: number) => {
+    const world = rigidWorld();
+    const floor = spawn(world, { position: { y: -0.5 }, rotation, collider: { shape: box(20, 1) } });
+    const body = spawn(world, { position: { y: 0.5 }, collider: { shape: box(1, 1), density: 1 } });
+    run(world, seconds);
+    world.components.Collider.oneWay[floor] = 1;
+    run(world, 1);
+    return world.components.Position.y[body];
+  };
+
+  test('holds it on the upper side', () => {
+    expect(boxOn(0)).toBeCloseTo(0.5, 2);
+  });
+
+  test('lets it fall where that is below', () => {
+    // A step passes before it falls, and semi-implicit Euler takes g t h/2 too long a way.
+    expect(boxOn(Math.PI)).toBeCloseTo(0.5 - 0.5 * G, 0);
+  });
+});

@@ -80,6 +80,9 @@ export const LOOPED: u32 = 4194304;
 // It is kinematic and stands where it stood in the last step.
 export const STANDS: u32 = 8388608;
 
+// It has become solid on one side only since the last step.
+export const NEWLY_ONE_WAY: u32 = 16777216;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

@@ -15,6 +15,8 @@ import {
   KINEMATIC,
   LOCKED,
   MOVES,
+  NEWLY_ONE_WAY,
+  ONE_WAY,
   PART,
   ROUND,
   SENSOR,
@@ -72,7 +74,8 @@ function classifyParts(t: RigidTable): void {
     if (word(t.owners, row) != body) leaveBody(t, row);
     putWord(t.owners, row, body);
     const changed = classify(t, row, kind);
-    if (!changed && (kind == 0 || !hasNewCollider(t, row))) continue;
+    const isOpened = (flagsOf(t, row) & NEWLY_ONE_WAY) != 0;
+    if (!changed && !isOpened && (kind == 0 || !hasNewCollider(t, row))) continue;
     if (kind != 0) putFlags(t, row, flagsOf(t, row) | SHIFTED);
     recordCollider(t, row);
     if ((flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
@@ -155,6 +158,7 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
     wakeIsland(t, row);
   if ((kind & SENSOR) != 0) t.sensorCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
+  if (!changed && (kind & ~before & ONE_WAY) != 0) noteOneWay(t, row);
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return false;
   putWord(t.filters, row, filterOf(t, row));
@@ -165,6 +169,12 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   putWord(t.usedColors, row, 0);
   sleeperOf(t, row).stillFor = 0;
   return true;
+}
+
+// What touches it from below or beside passes from now on, asleep or not.
+function noteOneWay(t: RigidTable, row: i32): void {
+  if ((flagsOf(t, row) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, row);
+  putFlags(t, row, flagsOf(t, row) | NEWLY_ONE_WAY | SHIFTED);
 }
 
 // Pairs whose boxes overlap already are found anew when layers, masks or groups change.

@@ -15,6 +15,7 @@ import {
   FAST,
   GROUPED,
   MOVES,
+  NEWLY_ONE_WAY,
   ONE_WAY,
   PART,
   SENSOR,
@@ -181,7 +182,8 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
   contact.flags = kept;
   if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
   if (contact.count == 0) return false;
-  if (!touched && ((flagsA | flagsB) & ONE_WAY) != 0 && (passed || passesThrough(t, contact))) {
+  const isOpen = !touched || ((flagsA | flagsB) & NEWLY_ONE_WAY) != 0;
+  if (isOpen && ((flagsA | flagsB) & ONE_WAY) != 0 && (passed || passesThrough(t, contact))) {
     contact.flags |= PASSING;
     return false;
   }
