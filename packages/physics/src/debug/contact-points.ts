@@ -1,11 +1,13 @@
 // The contact points of rigid bodies as lists, for pictures and logs: copying them costs some 50 ns each.
 
 import { rigidKernels } from '../collision/kernels.ts';
+import { assertUsable } from '../ecs/guards.ts';
 import { allocate } from '../memory/arena.ts';
 import { realBytes } from '../memory/columns.ts';
 import { CONTACT_VIEW_BYTES } from '../memory/layouts.gen.ts';
 import { namedResource } from '../memory/resource.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { checkLists } from './check-lists.ts';
 
@@ -45,14 +47,18 @@ const viewOf = namedResource('contact points', (world) => {
 });
 
 /**
- * Lists the contact points of a world with the preset `rigidBodies`. They are those of the last step.
+ * Lists the contact points of a world with the preset `rigidBodies`. They are those of the last step; other worlds have
+ * none.
  * @param into a list of an earlier call, which is written anew and returned: then nothing is allocated
  * @throws PhysicsError E_TYPE, E_CAPACITY, E_DESTROYED
  */
 export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyList()): ContactPoints {
-  const table = rigidTable(world).at;
+  assertUsable(world);
   const lists = [into?.a, into?.b, into?.x, into?.y, into?.nx, into?.ny, into?.separation, into?.impulse, into?.color];
   checkLists(into, lists, 'contactPoints');
+  into.count = 0;
+  if (!isSoftStep(world.integrator)) return into;
+  const table = rigidTable(world).at;
   const { at, words, reals } = viewOf(world);
   const kernels = rigidKernels(world);
   let count = 0;

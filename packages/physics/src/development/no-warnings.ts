@@ -10,4 +10,5 @@ export const warnAboutFaults: typeof warnings.warnAboutFaults = () => {};
 export const warnAboutColor: typeof warnings.warnAboutColor = () => {};
 export const warnAboutDuration: typeof warnings.warnAboutDuration = () => {};
 export const warnAboutJoint: typeof warnings.warnAboutJoint = () => {};
+export const warnAboutWallContacts: typeof warnings.warnAboutWallContacts = () => {};
 export const warnAboutWorld: typeof warnings.warnAboutWorld = () => {};

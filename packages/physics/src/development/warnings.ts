@@ -31,6 +31,21 @@ export function warnAboutDuration(world: PhysicsWorld, seconds: number, what: st
   warnOnce(world, warning, `${what}: milliseconds`);
 }
 
+/** Warns if someone reads the contacts with walls of a world that notes none. */
+export function warnAboutWallContacts(world: PhysicsWorld): void {
+  warnOnce(world, {
+    message: 'wallContacts(world) stays empty, because no system of this world notes contacts with walls.',
+    hint: contactsHint(world),
+  });
+}
+
+/** Where a world that has no contacts of particles has contacts. */
+function contactsHint({ integrator }: PhysicsWorld): string {
+  return integrator.solvesWalls === true
+    ? 'A world of rigid bodies lists its contacts: contactEvents(world).'
+    : 'Create the world with `preset: particleContacts`.';
+}
+
 /** Warns about the first fault of a world that neither handles faults nor throws them: its log is easily overlooked. */
 export function warnAboutFaults(world: PhysicsWorld, isHandled: boolean): void {
   const [fault] = world.internal.stepFaults;
@@ -64,10 +79,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   for (const event of ignoredEvents) {
     warnOnce(world, {
       message: `a handler of "${event}" is never called, because no system of this world dispatches this event.`,
-      hint:
-        world.integrator.solvesWalls === true
-          ? 'A world of rigid bodies lists its contacts: contactEvents(world).'
-          : 'Create the world with `preset: particleContacts`.',
+      hint: contactsHint(world),
     });
   }
   warnAboutUnreadComponents(world);

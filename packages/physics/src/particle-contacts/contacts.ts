@@ -1,5 +1,6 @@
 // The contacts of the last step as arrays, and as events.
 
+import { warnAboutWallContacts } from '#warnings';
 import type { RealColumn } from '../components/define.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { markImmutable, namedResource } from '../memory/resource.ts';
@@ -117,10 +118,12 @@ export function contacts(world: PhysicsWorld): Contacts {
 }
 
 /**
- * Returns the wall contacts of the last step, in the order in which they happened, chunk by chunk of bodies.
+ * Returns the wall contacts of the last step, in the order in which they happened, chunk by chunk of bodies. They are noted by
+ * `enableContacts`, which is in the preset `particleContacts`: in other worlds it is empty, with a warning.
  * @throws PhysicsError E_CAPACITY, E_DESTROYED
  */
 export function wallContacts(world: PhysicsWorld): WallContacts {
+  if (!world.internal.recordsContacts) warnAboutWallContacts(world);
   return wallContactsOf(world);
 }
 

@@ -1,5 +1,6 @@
 // Events of contacts between rigid bodies as arrays, which are read after a step.
 import type { RealColumn } from '../components/define.ts';
+import { assertUsable } from '../ecs/guards.ts';
 import {
   CONTACT_EVENT_LIST_BYTES,
   ContactEventListWord as EventWord,
@@ -7,6 +8,7 @@ import {
 } from '../memory/layouts.gen.ts';
 import { recordAt } from '../memory/record.ts';
 import { markImmutable, namedResource } from '../memory/resource.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -88,11 +90,29 @@ function hitsOf(world: PhysicsWorld, at: number): ContactHits {
   };
 }
 
+const NO_IDS = /* @__PURE__ */ new Uint32Array(0);
+const NO_PAIRS: ContactPairs = { count: 0, a: NO_IDS, b: NO_IDS };
+const NO_REALS = /* @__PURE__ */ new Float64Array(0);
+const NO_HITS: ContactHits = {
+  count: 0,
+  a: NO_IDS,
+  b: NO_IDS,
+  x: NO_REALS,
+  y: NO_REALS,
+  nx: NO_REALS,
+  ny: NO_REALS,
+  speed: NO_REALS,
+  impulse: NO_REALS,
+};
+const NO_EVENTS: ContactEvents = { begin: NO_HITS, end: NO_PAIRS, hit: NO_HITS, droppedCount: 0 };
+
 /**
  * Returns the events of contacts between rigid bodies in the last step: always the same object. A world without rigid
- * bodies has none.
+ * bodies has none. A pair is in `end` and in `begin` of one step where a body was despawned and its id given to another that touches
+ * the same: count a pair up at each `begin` and down at each `end`, and the order does not matter.
  * @throws PhysicsError E_CAPACITY, E_DESTROYED
  */
 export function contactEvents(world: PhysicsWorld): ContactEvents {
-  return eventsOf(world);
+  assertUsable(world);
+  return isSoftStep(world.integrator) ? eventsOf(world) : NO_EVENTS;
 }

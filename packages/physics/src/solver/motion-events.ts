@@ -1,6 +1,8 @@
 // Which rigid bodies moved, fell asleep or woke, as arrays, which are read after a step.
+import { assertUsable } from '../ecs/guards.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
 import { markImmutable, namedResource } from '../memory/resource.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
@@ -35,11 +37,15 @@ const eventsOf = /* @__PURE__ */ namedResource<MotionEvents>('motion events', (w
   });
 });
 
+const NO_BODIES: BodyIds = { count: 0, ids: /* @__PURE__ */ new Uint32Array(0) };
+const NO_EVENTS: MotionEvents = { moved: NO_BODIES, asleep: NO_BODIES, awake: NO_BODIES };
+
 /**
  * Returns which rigid bodies moved, fell asleep and woke in the last step: always the same object. Parts of compound bodies
- * are not listed.
+ * are not listed. A world without rigid bodies has none.
  * @throws PhysicsError E_CAPACITY, E_DESTROYED
  */
 export function motionEvents(world: PhysicsWorld): MotionEvents {
-  return eventsOf(world);
+  assertUsable(world);
+  return isSoftStep(world.integrator) ? eventsOf(world) : NO_EVENTS;
 }
