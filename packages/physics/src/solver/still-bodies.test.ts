@@ -90,13 +90,15 @@ describe('what is held', () => {
     const position = { x: 0.5 * Math.sin(angle), y: -0.5 * Math.cos(angle) };
     const rod = spawn(world, { position, rotation: angle, collider: { shape: box(0.02, 1), density: 50 } });
     createJoint(world, revolute({ b: rod, anchor: {} }));
-    let largest = 0;
+    let [least, most] = [0, 0];
     for (let i = 0; i < 3600; i++) {
       step(world, DT);
-      if (i > 3400) largest = Math.max(largest, Math.abs(world.components.Rotation.angle[rod]));
+      const now = world.components.Rotation.angle[rod];
+      if (i > 3400) [least, most] = [Math.min(least, now), Math.max(most, now)];
     }
     // A period is 1.6 s, 98 steps, and a pendulum keeps 99 % of its energy in a minute (docs/rigid-bodies.md).
-    expect(largest).toBeGreaterThan(0.0098);
+    expect(most).toBeGreaterThan(0.0098);
+    expect(least).toBeLessThan(-0.0098);
   });
 
   test('a pendulum hands its swing to another by a weak spring', () => {
@@ -163,13 +165,13 @@ describe('what is held', () => {
     }
   });
 
-  test('a ball that rolls at 4 cm/s rolls on', () => {
+  test('a ball that rolls at 2 cm/s rolls on', () => {
     const world = rigidWorld();
     spawn(world, { position: { y: -0.5 }, collider: { shape: box(10, 1), friction: 1 } });
     const collider = { radius: 0.5, density: 1, friction: 1 };
-    const ball = spawn(world, { position: { y: 0.5 }, velocity: { x: 0.04 }, angularVelocity: -0.08, collider });
+    const ball = spawn(world, { position: { y: 0.5 }, velocity: { x: 0.02 }, angularVelocity: -0.04, collider });
     run(world, 10);
-    expect(world.components.Position.x[ball]).toBeCloseTo(0.4, 3);
+    expect(world.components.Position.x[ball]).toBeCloseTo(0.2, 3);
   });
 });
 
@@ -177,8 +179,10 @@ test('what is put to sleep in full flight against drag sleeps on', () => {
   const world = space([linearDrag()]);
   const body = puck(world, { velocity: { x: 3 }, linearDrag: 1 });
   putToSleep(world, body);
-  run(world, 1);
-  expect(isAsleep(world, body)).toBe(true);
+  for (let i = 0; i < 30; i++) {
+    step(world, DT);
+    expect(isAsleep(world, body)).toBe(true);
+  }
   world.forces.push(uniformGravity({ x: 1 }));
   run(world, 3 * DT);
   expect(isAsleep(world, body)).toBe(false);
