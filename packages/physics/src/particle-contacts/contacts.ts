@@ -123,8 +123,9 @@ export function contacts(world: PhysicsWorld): Contacts {
  * @throws PhysicsError E_CAPACITY, E_DESTROYED
  */
 export function wallContacts(world: PhysicsWorld): WallContacts {
+  const contacts = wallContactsOf(world);
   if (!world.internal.recordsContacts) warnAboutWallContacts(world);
-  return wallContactsOf(world);
+  return contacts;
 }
 
 /** Returns the maximum number of contacts in a step; a larger `arenaBytes` raises it. */
