@@ -12,8 +12,8 @@
 // nor is joined to something that does not move: it sleeps where V and forces are a thousandth of what others may have, so
 // that what drifts goes on, and wakes by as little.
 import { get } from '../../memory/columns';
-import { ASLEEP, PART, SLEEPLESS, TO_SLEEP, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
-import { inverseMassX, inverseMassY } from './motion-locks';
+import { ASLEEP, LOCKED, PART, SLEEPLESS, TO_SLEEP, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import { inverseMassX, inverseMassY, openAxes } from './motion-locks';
 import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { Sleeper, sleeperOf } from './sleeper';
@@ -29,7 +29,7 @@ const SWING: real = 0.1;
 // What nothing holds may have this part of the speed that counts as still.
 const FREE: real = 0.001;
 
-// Bits of what holds an island: something that does not move, by contacts or joints; and whether there are contacts in it.
+// Bits of what holds an island: locks along both axes, or something that does not move, by contacts or joints; and whether there are contacts in it.
 export const HELD: i32 = 1;
 export const TOUCHES: i32 = 2;
 
@@ -51,7 +51,7 @@ export function countStill(t: RigidTable): bool {
     sleeper.steadyFor = mean <= SWING * limit ? sleeper.steadyFor + dt : 0;
     sleeper.freeFor = still && isFree(t, row, speed) ? sleeper.freeFor + dt : 0;
     sleeper.island = row;
-    sleeper.holds = 0;
+    sleeper.holds = (flagsOf(t, row) & LOCKED) != 0 && openAxes(t, row) == 0 ? HELD : 0;
     if (<f64>sleeper.stillFor >= t.sleepTime || (flagsOf(t, row) & TO_SLEEP) != 0) any = true;
   }
   return any;
