@@ -1,6 +1,6 @@
 // Bodies that sleep wake with what they are joined to, and when their joint is changed.
 import { get } from '../../memory/columns';
-import { ASLEEP, JOINED, MOVES, SHIFTED, flagsOf, putFlags, putWord, word } from '../../solver/2d/body';
+import { ASLEEP, JOINED, flagsOf, isActive, putFlags, putWord, word } from '../../solver/2d/body';
 import { listAwake } from '../../solver/2d/gather-bodies';
 import { wakeIsland } from '../../solver/2d/islands';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -30,11 +30,6 @@ export function wakeJoined(t: JointTable, rigid: RigidTable): void {
   }
   rigid.linkCount = t.count;
   if (any) listAwake(rigid);
-}
-
-// @ts-ignore: decorator
-@inline function isActive(flags: u32): bool {
-  return ((flags & MOVES) != 0 && (flags & ASLEEP) == 0) || (flags & SHIFTED) != 0;
 }
 
 // Ends a step: notes the settings of joints whose bodies have just fallen asleep.
