@@ -6,31 +6,24 @@ import { allocateRecord } from '../memory/record.ts';
 import { namedResource } from '../memory/resource.ts';
 import { wallListBytes } from '../memory/wall-list.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
-import type { Fusion, LocalSystem, PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
+import type { Fusion, PhysicsWorld, Ranges, Scheme } from '../world/types.ts';
 import { schemeLoops } from './advance-scheme.ts';
 import { faultyLaws } from './blame-law.ts';
+import type { BoxSystem } from './box-system.ts';
 import { anyForceAppliesTorque, lawLoopOf } from './evaluate-forces.ts';
+import { impactLoop } from './impact-loop.ts';
 import { layoutOf } from './layout.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
+import { findImpacts, refineImpacts } from './refine-impacts.ts';
 import { runChecked } from './run-checked.ts';
 import { lastStepOf, schemeMemory } from './scheme-memory.ts';
-import type { Box, StepFeatures } from './step-features.ts';
+import type { StepFeatures } from './step-features.ts';
 import { ownersOf, stepLoopSource } from './step-loop.ts';
 import { lawsOf } from './sum-of-laws.ts';
 import { repairRows } from './validate-state.ts';
 import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 
-/** Walls that the loop can test: a system of the `walls` phase with a box. */
-export interface BoxSystem extends LocalSystem {
-  readonly box: Box;
-  /** Allocates its memory. */
-  prepare(world: PhysicsWorld): unknown;
-  /**
-   * Bounces the bodies of a list: see `WallTest`. Returns whether all velocities are in range.
-   * @param savesVelocity the velocities at the start of the step are in columns, and not in the list
-   */
-  bounceListed(world: PhysicsWorld, list: number, dt: number, savesVelocity: boolean): boolean;
-}
+export type { BoxSystem };
 
 interface StepLoop extends WorldLoop {
   readonly block: ParameterBlock;
@@ -80,8 +73,10 @@ export const stepLoop = cachedWithPlan((world): StepLoop => {
 /** Builds the loops before the step, so that errors propagate from `step` before anything moved. */
 export function prepareLoops(world: PhysicsWorld): void {
   const { integrator, internal } = world;
-  if (internal.plan?.isOneLoop === true) stepLoop(world);
-  else {
+  if (internal.plan?.isOneLoop === true) {
+    stepLoop(world);
+    if (internal.plan.fusion?.walls !== undefined) impactLoop(world);
+  } else {
     lawLoopOf(world);
     if (integrator.scheme !== undefined && integrator.advance === undefined) schemeLoops(world);
   }
@@ -133,7 +128,10 @@ export function bounceFromBox(world: PhysicsWorld, walls: BoxSystem, ranges: Ran
 function bounceList(world: PhysicsWorld, walls: BoxSystem, dt: number): boolean {
   const { words, at } = wallList(world);
   if (words[WallListWord.end] === at + WALL_LIST_BYTES) return true;
-  const isGood = walls.bounceListed(world, at, dt, stepLoop(world).savesVelocity);
+  const { savesVelocity } = stepLoop(world);
+  const impacts = findImpacts(world, words, at, dt, savesVelocity);
+  const isGood = walls.bounceListed(world, at, dt, savesVelocity);
+  refineImpacts(world, impacts, dt, savesVelocity);
   clearWallList(world);
   return isGood;
 }

@@ -2,6 +2,7 @@
 // the result and the test for box walls.
 import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { Lowering } from '../laws/lower.ts';
+import type { Node } from '../laws/node.ts';
 import { type Axes, zeroVector } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
 import type { Scheme } from '../world/types.ts';
@@ -32,7 +33,7 @@ export function stepLoopSource(
   const { addresses, previousAddresses, scratch } = world;
   const position = columns.axes(addresses.Position);
   const velocity = columns.axes(addresses.Velocity);
-  const { result, torque } = lowerScheme(columns, scheme, laws, features, position, velocity);
+  const { result, torque } = lowerScheme(columns, scheme, laws, features.memory, { position, velocity });
   const stores: Store[] = [];
   const put = (to: Readonly<AxisAddresses>, values: Axes) => {
     stores.push(...columns.axisNames.map((axis, i) => ({ address: to[axis], node: values[i] })));
@@ -54,29 +55,37 @@ export function stepLoopSource(
   };
 }
 
-function lowerScheme(
+/** The state from which a scheme starts, and the length of its step, which is that of the world's by default. */
+interface Start {
+  readonly position: Axes;
+  readonly velocity: Axes;
+  readonly duration?: Node;
+}
+
+/** Lowers the state at the end of a step, with the torques there. */
+export function lowerScheme(
   columns: WorldColumns,
   scheme: Scheme,
   laws: readonly LawForce[],
-  features: StepFeatures,
-  position: Axes,
-  velocity: Axes,
+  memory: StepFeatures['memory'],
+  { position, velocity, duration = columns.dt }: Start,
 ): { readonly result: Result; readonly torque: Axes } {
   const { graph, world, block } = columns;
   const none = zeroVector(graph);
   const sums: Sum[] = [];
   const vectors: Record<string, Axes> = { position, velocity };
-  features.memory.forEach((at, i) => {
+  memory.forEach((at, i) => {
     vectors[`memory${i}`] = columns.axes(at);
   });
   const lowering = new Lowering(graph, {
     ...columns.environment(scheme, vectors, columns.timeAt(0), 0),
+    dt: duration,
     scalars: {
       mass: columns.mass,
       charge: graph.make('real', [], world.addresses.Charge.value),
       lastDt: columns.load(block.lastDt),
     },
-    kick(at, moving, duration, { stage, fraction }) {
+    kick(at, moving, during, { stage, fraction }) {
       const time = columns.timeAt(fraction);
       const evaluation = {
         position: at,
@@ -88,7 +97,7 @@ function lowerScheme(
         time,
       };
       sums[stage] = sumLaws(columns, laws, evaluation);
-      return velocityChange(columns, sums[stage], duration);
+      return velocityChange(columns, sums[stage], during);
     },
   });
   const result = {

@@ -81,6 +81,18 @@ export function columnsRead(law: Motion): ComponentName[] {
   return [...names];
 }
 
+/** Returns whether the force of a law depends on where its body is or how it moves. */
+export function readsMotion(law: Motion): boolean {
+  for (const { op } of expressionsOf(law)) if (STATE[op] !== undefined) return true;
+  return false;
+}
+
+/** Returns whether the force of a law depends on the velocity of its body. */
+export function readsVelocity(law: Motion): boolean {
+  for (const { op } of expressionsOf(law)) if (op === 'velocity' || op === 'startVelocity') return true;
+  return false;
+}
+
 /** Returns whether the expressions of a law read the time. */
 export function readsTime(law: Motion): boolean {
   for (const { op } of expressionsOf(law)) if (op === 'time') return true;
