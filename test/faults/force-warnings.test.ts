@@ -1,14 +1,38 @@
 /** Forces that are legal and surely not meant get a warning, once, that says what to do. */
 import {
+  attractors,
   boris,
   buoyancy,
   constantTorque,
+  defineLaw,
+  driftKickDrift,
+  electricField,
+  type Force,
+  fixedCharges,
+  type Integrator,
+  leapfrog,
+  lennardJones,
   magneticField,
+  mutualCoulomb,
   mutualGravity,
+  paczynskiWiita,
+  powerLaw,
+  type Restrictions,
+  restrictForce,
+  rigidBodies,
+  rocketEngines,
+  rungeKutta4,
+  softStep,
   spawn,
+  springs,
   step,
   uniformGravity,
+  uniformSphereGravity,
+  velocityVerlet,
   wisdomHolman,
+  yoshida4,
+  yoshida6,
+  yukawa,
 } from '@principia/physics';
 import { expect, it } from 'vitest';
 import { warnedWorld } from '../support/warned-world.ts';
@@ -25,7 +49,6 @@ it('names two constants of gravity that differ, and no others', () => {
   expect(warned({}, 1)).toBe('wisdomHolman has G = 6.6743e-11, but mutualGravity has G = 1: the orbits are wrong.');
   expect(warned({ G: 1 }, 1)).toBe('');
   expect(warned({ G: 1 }, 1 + 1e-12)).toBe('');
-  expect(warned({ G: 1 })).toBe('');
   // Two forces may share one constant.
   expect(warned({ G: 1 }, 0.75, 0.25)).toBe('');
 });
@@ -84,4 +107,132 @@ it('says that buoyancy carries nothing without a hull', () => {
   spawn(floating.world, { position: {}, mass: 1, hull: 0.01 });
   step(floating.world, 0.01);
   expect(floating.messages()).toBe('');
+});
+
+it('names schemes that a force of the velocity makes first order', () => {
+  const warned = (integrator: Integrator, force: Force, charge?: number) => {
+    const { world, messages } = warnedWorld({ forces: [force], integrator });
+    spawn(world, { position: {}, velocity: { x: 1 }, mass: 1, ...(charge !== undefined && { charge }) });
+    for (let i = 0; i < 2; i++) step(world, 0.01);
+    return messages();
+  };
+  const field = magneticField({ z: 1.3 });
+  for (const integrator of [leapfrog, driftKickDrift, yoshida4, yoshida6]) {
+    expect(warned(integrator, field, 1)).toBe(
+      `${integrator.name} is of first order with the force "magnetic field", which depends on the velocity, and may be worse than Euler's scheme.`,
+    );
+    expect(warned(integrator, uniformGravity())).toBe('');
+  }
+  expect(warned(leapfrog, field)).toBe('');
+  expect(warned(velocityVerlet, field, 1)).toBe('');
+  expect(warned(rungeKutta4, field, 1)).toBe('');
+});
+
+it('names charges that rigid bodies spiral outwards, with the rate', () => {
+  const warned = (field: number, integrator = softStep()) => {
+    const { world, messages } = warnedWorld({ preset: rigidBodies, integrator, forces: [magneticField({ z: field })] });
+    spawn(world, { position: {}, velocity: { x: 3 }, mass: 1, charge: 1, collider: 0.1 });
+    for (let i = 0; i < 2; i++) step(world, 1 / 60);
+    return messages();
+  };
+  // Ω² h/2 with Ω = 5/s and sub-steps of 1/240 s.
+  expect(warned(5)).toMatch(/^charges in the magnetic field gain 5.2 % of their speed a second/);
+  expect(warned(0.1)).toBe('');
+  expect(warned(0.5, softStep({ substeps: 1000 }))).toBe('');
+});
+
+it('names planets that nothing attracts', () => {
+  const warned = (forces: Force[]) => {
+    const { world, messages } = warnedWorld({ forces, integrator: wisdomHolman({ G: 1 }) });
+    spawn(world, { position: {}, mass: 1 });
+    spawn(world, { position: { x: 1 }, velocity: { y: 1 }, mass: 1e-3 });
+    for (let i = 0; i < 2; i++) step(world, 0.01);
+    return messages();
+  };
+  expect(warned([])).toMatch(/^wisdomHolman moves nothing on orbits by itself/);
+  expect(warned([mutualGravity({ G: 1 })])).toBe('');
+});
+
+it('names sources that act by two forces', () => {
+  const charges = (mass?: number) => {
+    const { world, messages } = warnedWorld({ forces: [fixedCharges(1), mutualCoulomb({ k: 1 })] });
+    spawn(world, { position: {}, charge: 1, ...(mass !== undefined && { mass }) });
+    spawn(world, { position: { x: 1 }, velocity: {}, mass: 1, charge: 1 });
+    step(world, 1e-4);
+    return messages();
+  };
+  expect(charges()).toBe('charges without mass act twice: by fixedCharges and by mutualCoulomb, which includes them.');
+  expect(charges(1)).toBe('');
+  const masses = (mass?: number) => {
+    const { world, messages } = warnedWorld({ forces: [attractors(), mutualGravity({ G: 1 })] });
+    spawn(world, { position: {}, attractor: 1, ...(mass !== undefined && { mass }) });
+    spawn(world, { position: { x: 1 }, velocity: {}, mass: 1e-6 });
+    step(world, 1e-4);
+    return messages();
+  };
+  expect(masses(1)).toBe('body 1 has Attractor and Mass, and attracts twice: by attractors and by mutualGravity.');
+  expect(masses()).toBe('');
+});
+
+it('names forces of pairs that are restricted to some bodies', () => {
+  const warned = (limits: Restrictions) => {
+    const { world, messages } = warnedWorld({ forces: [restrictForce(springs(), limits)] });
+    const a = spawn(world, { position: {}, velocity: {}, mass: 1 });
+    const b = spawn(world, { position: { x: 1 }, velocity: {}, mass: 1 });
+    spawn(world, { spring: { a, b, stiffness: 10, length: 0.5 } });
+    step(world, 0.01);
+    return messages();
+  };
+  expect(warned({ group: 'Mass' })).toMatch(
+    /^"springs" restricted to some bodies or a region acts on one end of a pair/,
+  );
+  // They do act, and time takes both ends.
+  expect(warned({ from: 0 })).toBe('');
+});
+
+it('names fuel that is more than the mass that includes it', () => {
+  const warned = (mass: number) => {
+    const { world, messages } = warnedWorld({ forces: [rocketEngines()] });
+    spawn(world, { position: {}, mass, engine: { exhaustSpeed: 100, burnRate: 1, fuel: 5 } });
+    step(world, 0.01);
+    return messages();
+  };
+  expect(warned(1)).toMatch(/^body 1 has 4.99\d* kg of fuel in a mass of 0.99\d* kg, which includes the fuel\.$/);
+  expect(warned(6)).toBe('');
+});
+
+it('names a law whose potential is not that of its force', () => {
+  const warned = (factor: number) => {
+    const bowl = defineLaw({
+      name: 'bowl',
+      acceleration: ({ position }) => position.negate(),
+      potential: ({ position, mass }) => mass.mul(position.lengthSquared()).mul(factor),
+    });
+    const { world, messages } = warnedWorld({ forces: [bowl()] });
+    spawn(world, { position: { x: 1, y: -0.3 }, velocity: {}, mass: 2 });
+    step(world, 0.01);
+    return messages();
+  };
+  const message =
+    'the force of "bowl" is not minus the gradient of its potential, as at body 1: energy(world) is wrong.';
+  expect(warned(1)).toBe(message);
+  expect(warned(-0.5)).toBe(message);
+  expect(warned(0.5)).toBe('');
+});
+
+it('finds nothing to say about the potentials of this package', () => {
+  const forces = [
+    uniformGravity(),
+    uniformSphereGravity({ mu: 3, radius: 1 }),
+    paczynskiWiita({ mu: 4, horizon: 0.1 }),
+    powerLaw({ strength: -2, exponent: 1.5 }),
+    lennardJones({ depth: 1, diameter: 1 }),
+    yukawa({ strength: 2, range: 0.7 }),
+    electricField({ x: 3, y: 1 }),
+  ];
+  const { world, messages } = warnedWorld({ forces, dimensions: 3 });
+  spawn(world, { position: { x: 1.3, y: -0.7, z: 0.4 }, velocity: { x: 1 }, mass: 2, charge: -1 });
+  spawn(world, { position: { x: 0.3, y: 0.1, z: 0.2 }, velocity: { x: 1 }, mass: 2, charge: -1 });
+  step(world, 1e-4);
+  expect(messages()).toBe('');
 });

@@ -9,6 +9,9 @@ export function warnAboutForces(world: PhysicsWorld, dt: number): void {
   warnAboutGravityAlongZ(world);
   warnAboutConstantsOfGravity(world);
   warnAboutMagneticFields(world);
+  warnAboutRepeatedSources(world);
+  warnAboutRestrictedPairs(world);
+  warnAboutFuel(world);
   warnAboutTorques(world);
   warnAboutStrongDrag(world, dt);
   warnAboutMissingHulls(world);
@@ -94,6 +97,59 @@ function warnAboutMagneticFields(world: PhysicsWorld): void {
     message: 'the magnetic field of boris is in `world.forces` as well, and acts twice.',
     hint: 'Leave magneticField out of `forces`: the integrator replaces it.',
   });
+}
+
+/** Forces of fixed sources beside one of all pairs, in which these sources are. */
+function warnAboutRepeatedSources(world: PhysicsWorld): void {
+  const acts = (name: string) => world.forces.some((force) => force.name === name);
+  const { Attractor, Charge, Mass } = world.components;
+  const { members } = world.internal;
+  const isPlaced = (id: number) => (members[id] & bitOf('Position')) !== 0;
+  if (acts('fixed charges') && acts('mutual Coulomb')) {
+    const fixed = firstRow(world, (id) => isPlaced(id) && Charge.value[id] !== 0 && !(Mass.value[id] > 0));
+    if (fixed > 0) warnOnce(world, REPEATED_CHARGES, 'repeated charges');
+  }
+  if (!(acts('attractors') && acts('mutual gravity'))) return;
+  const heavy = firstRow(world, (id) => isPlaced(id) && Attractor.mu[id] > 0 && Mass.value[id] > 0);
+  if (heavy === 0) return;
+  const warning = {
+    message: `body ${heavy} has Attractor and Mass, and attracts twice: by attractors and by mutualGravity.`,
+    hint: 'Leave out its Attractor; or give it no Mass, and it stays where it is.',
+  };
+  warnOnce(world, warning, 'repeated attraction');
+}
+
+const REPEATED_CHARGES = {
+  message: 'charges without mass act twice: by fixedCharges and by mutualCoulomb, which includes them.',
+  hint: 'Leave fixedCharges out of `forces`.',
+};
+
+/** Forces between bodies of which both ends are meant. */
+const PAIRS = ['springs', 'mutual gravity', 'mutual Coulomb', 'enclosed gas'];
+
+/** Limits of time leave them whole, and their potential. */
+function warnAboutRestrictedPairs(world: PhysicsWorld): void {
+  for (const { name, potential } of world.forces) {
+    const pair = PAIRS.find((each) => name === `${each} (restricted)`);
+    if (pair === undefined || potential !== undefined) continue;
+    warnOnce(world, {
+      message: `"${pair}" restricted to some bodies or a region acts on one end of a pair where only that is within: momentum and energy are not kept.`,
+      hint: 'Restrict forces on single bodies; leave springs and masses out of the world instead, or make the others test particles.',
+    });
+  }
+}
+
+/** Fuel is part of the mass. */
+function warnAboutFuel(world: PhysicsWorld): void {
+  if (world.internal.counts.Engine === 0) return;
+  const { Engine, Mass } = world.components;
+  const light = firstRow(world, (id) => Mass.value[id] > 0 && Engine.fuel[id] >= Mass.value[id]);
+  if (light === 0) return;
+  const warning = {
+    message: `body ${light} has ${Engine.fuel[light]} kg of fuel in a mass of ${Mass.value[light]} kg, which includes the fuel.`,
+    hint: 'Give `mass` as the sum of the empty mass and the fuel.',
+  };
+  warnOnce(world, warning, 'fuel above mass');
 }
 
 /** Worlds of rigid bodies ask this of every body. */

@@ -8,6 +8,8 @@ import { warnAboutBodies, warnAboutMotionByHand } from './body-warnings.ts';
 import { firstRow } from './first-row.ts';
 import { constantsOf, warnAboutForces } from './force-warnings.ts';
 import { warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
+import { warnAboutPotentials } from './potential-warnings.ts';
+import { warnAboutSchemes } from './scheme-warnings.ts';
 
 export { notePartRemoved, warnAboutDeadRef, warnAboutImpulse } from './body-warnings.ts';
 export { warnAboutJoint } from './joint-warnings.ts';
@@ -86,6 +88,8 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutStrayValues(world);
   warnAboutInertiaTensors(world);
   warnAboutForces(world, dt);
+  warnAboutSchemes(world, dt);
+  warnAboutPotentials(world);
   warnAboutSprings(world);
   warnAboutShapes(world, plan);
   warnAboutMissingPositions(world);
@@ -204,7 +208,8 @@ function warnAboutStrayValues(world: PhysicsWorld): void {
 
 function warnAboutSprings(world: PhysicsWorld): void {
   if (world.internal.counts.Spring === 0) return;
-  const isSolved = world.integrator.solvesSprings === true || world.forces.some(({ name }) => name === 'springs');
+  const isSolved =
+    world.integrator.solvesSprings === true || world.forces.some(({ name }) => name.startsWith('springs'));
   if (!isSolved) {
     warnOnce(world, {
       message: 'Spring has no effect, because neither a force nor the integrator of this world solves springs.',

@@ -5,6 +5,9 @@
 // contribution of other forces outside the limits is undone exactly. Resources consumed at the start of a step, such
 // as fuel, are consumed only inside the limits.
 //
+// A force of pairs, such as springs or mutual gravity, that is restricted to a group or a region acts on those ends of its pairs
+// that are within, so that neither momentum nor energy is kept; a warning says so. Restricted in time it is whole.
+//
 // Potential: a force restricted in time has its potential only within that time. A local force restricted to a group
 // has the potential of the group, because bodies without coefficients have none. A force restricted to a region has
 // no potential: energy changes at its border. Cost: one to seven comparisons per body for a law; two copies of the
