@@ -16,7 +16,8 @@ import { nBodyKernels } from './kernels.ts';
 export type DistanceLaw = 'inverse-square' | 'inverse-distance';
 
 /**
- * 'direct' sums all pairs, 'tree' uses the Barnes-Hut algorithm, 'auto' selects the faster one by the number of bodies.
+ * 'direct' sums all pairs, 'tree' uses the Barnes-Hut algorithm, 'auto' selects the faster one by the numbers of sources and
+ * test particles.
  */
 export type SumMethod = 'auto' | 'direct' | 'tree';
 
@@ -130,6 +131,15 @@ export function createMutualForce(spec: MutualSpec): MutualForce {
 const PAIR_WORK = 0.05;
 const TREE_WORK = 75;
 
+/**
+ * Cost of the direct sum, in half of the pairs of sources, which act on each other. A pair of a source and a test particle takes four
+ * times as much against the tree, which test particles do not make deeper: it is faster from a quarter of as many sources on (measured
+ * with 5000 and 50 000 test particles).
+ */
+function directCost(sources: number, tests: number): number {
+  return sources * (sources + 4 * tests);
+}
+
 /** Allocates the working memory in each world, and updates the results in it. */
 function createSum(spec: MutualSpec) {
   const { softening = 0, law = 'inverse-square', relativeError = 0.005, method = 'auto' } = spec.options;
@@ -155,8 +165,11 @@ function createSum(spec: MutualSpec) {
     kernels.nBodyBegin(work, world.capacity, hasTree);
     return work;
   });
-  const usesTree = (world: PhysicsWorld, bodies: number): boolean =>
-    method === 'tree' || (method === 'auto' && bodies >= treeFrom(world));
+  const usesTree = (world: PhysicsWorld, bodies: number): boolean => {
+    if (method !== 'auto') return method === 'tree';
+    const tests = Math.min(bodies, world.internal.counts.TestParticle);
+    return directCost(bodies - tests, tests) >= treeFrom(world) * bodies;
+  };
   return {
     power,
     workOf,
@@ -165,7 +178,9 @@ function createSum(spec: MutualSpec) {
     memory: { key, form: `${method} ${law} ${relativeError}` },
     evaluationWork(world: PhysicsWorld): number {
       const bodies = world.internal.counts[spec.strength];
-      return usesTree(world, bodies) ? TREE_WORK * bodies : PAIR_WORK * bodies * bodies;
+      if (usesTree(world, bodies)) return TREE_WORK * bodies;
+      const sources = bodies - Math.min(bodies, world.internal.counts.TestParticle);
+      return PAIR_WORK * sources * bodies;
     },
     evaluate(world: PhysicsWorld): number {
       const work = workOf(world);

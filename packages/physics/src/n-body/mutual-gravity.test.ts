@@ -188,6 +188,32 @@ describe('the direct sum', () => {
 });
 
 describe('test particles', () => {
+  // A tree pays where sources are many: test particles alone, however many, make no pairs among each other.
+  test.each([
+    [1, 5000, 'direct'],
+    [100, 5000, 'direct'],
+    [1000, 5000, 'tree'],
+    [2500, 0, 'tree'],
+    [2000, 0, 'direct'],
+  ] as const)('%d sources and %d test particles in f64 take the %s', (sources, tests, method) => {
+    const force = mutualGravity({ G: 1e-9, softening: 0.1 });
+    const world = createPhysicsWorld({ dimensions: 3, precision: 'f64', capacity: 6100, forces: [force] });
+    const made = cloud('plummer', sources + tests, 3);
+    const part = (first: number, count: number) => ({
+      position: {
+        x: made.x.slice(first, first + count),
+        y: made.y.slice(first, first + count),
+        z: made.z.slice(first, first + count),
+      },
+      velocity: {},
+      mass: 1,
+    });
+    spawnMany(world, sources, part(0, sources));
+    if (tests > 0) spawnMany(world, tests, { ...part(sources, tests), testParticle: {} });
+    step(world, 1e-3);
+    expect(force.report(world).method).toBe(method);
+  });
+
   test.each(['direct', 'tree'] as const)('feel forces and exert none: %s', (method) => {
     const force = mutualGravity({ G: 1, method, relativeError: 0 });
     const world = createPhysicsWorld({ dimensions: 3, forces: [force] });
