@@ -140,6 +140,15 @@ const LIMITS = [
   ['AngularVelocity', MAX_ANGULAR_SPEED],
 ] as const;
 
+/** Networks of springs may need shorter steps than each spring by itself, of which `step` knows. */
+const SPRING_HINT = {
+  hint: 'Springs may be the cause: a network needs steps up to three times shorter than each of its springs. Use a smaller dt, softer springs, or the integrator xpbd(); or check the force that accelerates the body.',
+};
+
+function springHint({ internal, integrator }: PhysicsWorld): { readonly hint?: string } {
+  return internal.counts.Spring > 0 && integrator.solvesSprings !== true ? SPRING_HINT : {};
+}
+
 /**
  * Quarantines a body with an invalid value. A finite speed beyond the limit that a force or contact has caused is
  * clamped instead; one that user code has written would carry the body thousands of kilometres within the step.
@@ -157,7 +166,7 @@ function repairRow(world: PhysicsWorld, row: number, phase: When, law?: string):
         quarantine(world, row, field, value, phase, law);
         return;
       }
-      if (!isReported) reportFault(world, { code: 'E_SPEED', entity: row, field, value, phase });
+      if (!isReported) reportFault(world, { code: 'E_SPEED', entity: row, field, value, phase, ...springHint(world) });
       isReported = true;
       columns[axis][row] = Math.sign(value) * limit;
     }

@@ -275,3 +275,15 @@ describe('springs too stiff for the step', () => {
     step(world, 1);
   });
 });
+
+test('the fault of a chain that is unstable though each spring is not names the springs', () => {
+  const world = createPhysicsWorld({ forces: [springs()], onWarning: () => {} });
+  const nodes = Array.from({ length: 50 }, (_, i) =>
+    spawn(world, { position: { x: i + (i % 2) * 1e-3 }, velocity: {}, mass: 1 }),
+  );
+  // k dt²/μ = 3.6 with the reduced mass μ = 1/2 is below the 4 of a single spring, and 4 k dt²/m = 7.2 of the chain above it.
+  for (let i = 0; i < 49; i++) spawn(world, { spring: { a: nodes[i], b: nodes[i + 1], stiffness: 1.8e4, length: 1 } });
+  for (let i = 0; i < 300 && world.faults.faults.length === 0; i++) step(world, 0.01);
+  expect(world.faults.faults[0]).toMatchObject({ code: 'E_SPEED' });
+  expect(world.faults.faults[0].hint).toMatch(/^Springs may be the cause: a network needs steps/);
+});
