@@ -5,9 +5,9 @@ import { checkList } from './validate.ts';
 export interface Fault {
   readonly code: FaultCode;
   readonly entity: number;
-  /** Component and field, as in "Velocity.x". */
+  /** Component and field, as in "Velocity.x"; of E_STEP "sub-step". */
   readonly field: string;
-  /** The value that was found. */
+  /** The value that was found; of E_STEP the sub-step that the body would have needed, s. */
   readonly value: number;
   /** `world.tick` of the step that found it. */
   readonly step: number;

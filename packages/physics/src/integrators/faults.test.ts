@@ -71,7 +71,7 @@ describe('singular configurations', () => {
     test(`${create().name} reports E_STEP of the falling body, and continues`, () => {
       const { world, body } = fall(create());
       const [fault] = world.faults.faults;
-      expect(fault).toMatchObject({ code: 'E_STEP', entity: body, field: 'Position', phase: 'integrate' });
+      expect(fault).toMatchObject({ code: 'E_STEP', entity: body, field: 'sub-step', phase: 'integrate' });
       expect(fault.value).toBeLessThan(1e-11);
       expectFinite(world);
       expect(world.time).toBeCloseTo(1.5, 12);

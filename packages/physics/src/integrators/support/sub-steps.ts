@@ -42,12 +42,12 @@ export function subStep(suggested: number, remaining: number): number {
   return 2 * suggested > remaining ? remaining / 2 : suggested;
 }
 
-/** Reports that the tolerance was not met, and the body that needed a step of `suggested` seconds. */
+/** Reports that the tolerance was not met, and the body that needed a sub-step of `suggested` seconds. */
 export function reportUnderflow(world: PhysicsWorld, entity: number, suggested: number): void {
   reportFault(world, {
     code: 'E_STEP',
     entity,
-    field: 'Position',
+    field: 'sub-step',
     value: suggested,
     phase: 'integrate',
     hint: 'A force is singular, stiff or jumps there: soften it, take shorter steps, or allow more maxEvaluations.',
