@@ -1,6 +1,8 @@
 import {
   createPhysicsWorld,
   defineForce,
+  defineLaw,
+  dormandPrince,
   type Force,
   linearDrag,
   type PhysicsWorld,
@@ -9,6 +11,7 @@ import {
   rigidBodies,
   softStep,
   spawn,
+  springs,
   standard,
   stateHash,
   step,
@@ -265,4 +268,16 @@ describe('invalid forces, systems and integrators', () => {
     assertWorldAlive(world);
     expect(stateHash(world)).toMatch(/^[0-9a-f]{16}$/);
   });
+});
+
+it('a function in place of what it returns, and a component by its name, are refused with what to write', () => {
+  const uncalled = refusal(() => createPhysicsWorld({ integrator: dormandPrince as never }));
+  expect(uncalled.message).toContain('integrator is the function dormandPrince, and not what it returns.');
+  expect(uncalled.hint).toBe('Call it: dormandPrince(), with its options if it takes any.');
+  const force = refusal(() => createPhysicsWorld({ forces: [springs as never] }));
+  expect(force.message).toContain('forces[0] is the function springs, and not what it returns.');
+  const byName = refusal(() =>
+    defineLaw({ name: 'pull', reads: { q: 'Charge' as never }, force: ({ position }) => position }),
+  );
+  expect(byName.hint).toBe('Import COMPONENTS and write COMPONENTS.Charge.');
 });

@@ -131,7 +131,9 @@ function knownComponent(component: ComponentSpec, field: string): ComponentName 
   const known = componentName(component) ?? (isComponent(component) ? component : undefined);
   if (known !== undefined) return known;
   const expected = 'a component, such as COMPONENTS.QuadraticDrag or one made by defineComponent';
-  throw mustBe(expected, component, field, isRecord(component) ? 'E_UNKNOWN' : 'E_TYPE');
+  const isName = typeof component === 'string' && Object.hasOwn(COMPONENTS, component);
+  const hint = isName ? `Import COMPONENTS and write COMPONENTS.${component}.` : undefined;
+  throw mustBe(expected, component, field, isRecord(component) ? 'E_UNKNOWN' : 'E_TYPE', undefined, hint);
 }
 
 /** Returns the name of a built-in component. */

@@ -21,6 +21,7 @@ export function checkForces(forces: readonly unknown[], what: string, dimensions
  */
 export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): void {
   if (!isRecord(force) || !isRecord(force.law)) {
+    refuseUncalled(force, what, FORCE_HINT);
     checkHas(force, 'accumulate', what, FORCE_HINT);
     return;
   }
@@ -33,6 +34,16 @@ export function checkForce(force: unknown, what: string, dimensions?: 2 | 3): vo
       field: what,
     },
   );
+}
+
+/** Refuses the function that makes a force or an integrator in place of what it makes. @throws PhysicsError E_TYPE */
+function refuseUncalled(value: unknown, what: string, hint = ''): void {
+  if (typeof value !== 'function' || value.name === '') return;
+  const { name } = value;
+  throw new PhysicsError('E_TYPE', `${what} is the function ${name}, and not what it returns.`, {
+    field: what,
+    hint: `Call it: ${name}(), with its options if it takes any. ${hint}`.trim(),
+  });
 }
 
 /**
@@ -49,6 +60,7 @@ export function checkSystems(systems: readonly unknown[], what: string): void {
 /** @throws PhysicsError E_TYPE */
 export function checkIntegrator(integrator: unknown, what: string): void {
   if (isRecord(integrator) && isRecord(integrator.scheme)) return;
+  refuseUncalled(integrator, what);
   checkHas(integrator, 'advance', what, 'Pass an integrator such as velocityVerlet, semiImplicitEuler or rungeKutta4.');
 }
 
