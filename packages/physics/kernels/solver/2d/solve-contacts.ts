@@ -188,20 +188,19 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
-  const end = endOfPoints(at);
   const moved = sub(mul(dx, ny), mul(dy, nx));
   const shiftA = mul(v128.load(at, block.SHARE_A), moved);
   const shiftB = mul(v128.load(at, block.SHARE_B), moved);
-
+  const end = endOfPoints(at);
   for (let p = at + block.POINTS; p < end; p += block.POINT) {
     const s = separationAt(p, nx, ny, dx, dy, cA, sA, cB, sB);
     const leverA = add(v128.load(p, block.NORMAL_LEVER_A), shiftA);
     const leverB = sub(v128.load(p, block.NORMAL_LEVER_B), shiftB);
-    const turning = sub(mul(wB, leverB), mul(wA, leverA));
-    const speed = add(add(mul(sub(vxB, vxA), nx), mul(sub(vyB, vyA), ny)), turning);
+    const moving = add(mul(sub(vxB, vxA), nx), mul(sub(vyB, vyA), ny));
+    const speed = add(moving, sub(mul(wB, leverB), mul(wA, leverA)));
     const old = v128.load(p, block.NORMAL_IMPULSE);
-    let change = changeAt(at, p, old, speed, s, inverseH, slowest, soft);
-    if (!soft) change = v128.and(change, lanes);
+    const wanted = changeAt(at, p, old, speed, s, inverseH, slowest, soft);
+    const change = soft ? wanted : v128.and(wanted, lanes);
     // Of a number and what is none, these take the number.
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(splat(0), sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
