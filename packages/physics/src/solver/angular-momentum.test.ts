@@ -8,6 +8,7 @@ import {
   type PhysicsWorld,
   revolute,
   spawn,
+  springs,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { rigidWorld, run } from '../../../../test/support/rigid-world.ts';
@@ -51,6 +52,23 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       createJoint(world, revolute({ a: torso, b: leg, anchor, motor: { speed: -2 * side, max: torque } }));
     }
     expectNoTurn(world, torque);
+  });
+
+  it.each([0.5, 5])('two boxes that a spring pulls together go on turning at %f rad/s', (w) => {
+    const world = rigidWorld({ precision, forces: [springs()] });
+    const [a, b] = [-0.5, 0.5].map((x) =>
+      spawn(world, {
+        position: { x },
+        velocity: { y: w * x },
+        angularVelocity: w,
+        collider: { shape: box(1, 1), density: 1, friction: 0.6 },
+      }),
+    );
+    spawn(world, { spring: { a, b, stiffness: 200, length: 0 } });
+    run(world, 10);
+    // Both boxes turn about what lies between them: 2 (1/6 + 1/4) kg m².
+    expect(Math.abs(angularMomentum(world).z / ((5 / 6) * w) - 1)).toBeLessThan(1e-4);
+    destroyWorld(world);
   });
 
   it.each([

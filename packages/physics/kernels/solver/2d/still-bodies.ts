@@ -2,11 +2,11 @@
 //
 // Still is what is slow, does not get faster, and stays where it is:
 //
-//   v <= V      v - (least v while still) <= V/10      |u| <= c V      u' = (v - u)/(T/2)      c = 2/5, or 1/10
+//   v <= V      v - (least v while still) <= V/10      |u| <= c V      u' = (v - u)/(T/2)      c = 3/5, or 1/10
 //
 // V: sleepSpeed    T: sleepTime. The mean velocity u tells what rests and trembles from what drifts, or swings and is about to turn
 // back: with an acceleration A that lasts for T it becomes more than A T/2 before or after. Heaps creep, and friction holds them
-// in the end: c = 2/5 where anything touches. Nothing brakes what only joints hold: c = 1/10.
+// in the end: c = 3/5 where anything touches. Nothing brakes what only joints hold: c = 1/10.
 //
 // What sleeps wakes when forces change so that it would gain more than V/10 in T. Nothing at all holds what neither touches
 // nor is joined to something that does not move: it sleeps where V and forces are a thousandth of what others may have, so
@@ -23,7 +23,7 @@ import { Sleeper, sleeperOf } from './sleeper';
 const GAIN: real = 0.1;
 
 // The largest mean velocity, in parts of the speed that counts as still, of what touches anything, and of what does not.
-const CREEP: real = 0.4;
+const CREEP: real = 0.6;
 const SWING: real = 0.1;
 
 // What nothing holds may have this part of the speed that counts as still.
