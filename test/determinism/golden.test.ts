@@ -47,7 +47,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "34cb322af8cc9fa4",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "516d5672a477898a",
+      "spinner": "7d4a059b99047941",
       "springs": "2f827429c1ac197b",
       "tumbler": "6864d54f263f6609",
       "washer": "e3f9bd2d9d30568b",

@@ -208,7 +208,8 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     let into = 0;
     for (; (y[ball] as number) <= 0; step(world, DT)) into = y[ball] as number;
     const slowed = 0.1 * 1.5 * -into;
-    expect(Math.abs(30 - (x[ball] as number) - slowed)).toBeLessThan(0.1 * 1.5 * G * DT);
+    // It meets the floor faster by what it gains in a step, and velocities lag by half a sub-step.
+    expect(Math.abs(30 - (x[ball] as number) - slowed)).toBeLessThan(0.1 * 1.5 * G * (DT + DT / 8));
     // A disc turns by twice that at its edge, which friction meets half the slop outside.
     const turning = (-2 * (30 - (x[ball] as number))) / 0.5;
     expect(Math.abs((world.components.AngularVelocity.z[ball] as number) / turning - 1)).toBeLessThan(

@@ -18,6 +18,7 @@ import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
+import { catchUp, fallBack } from './lagging-speeds';
 import { memberOf, othersIn, projectImpact, projectImpacts, startTrees } from './impact-trees';
 
 // An impact runs on where it strikes by more than this part of the threshold.
@@ -40,7 +41,9 @@ export function applyRestitution(table: usize): i32 {
   projectImpacts(t);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
+  catchUp(t, count);
   bounceInRounds(t, max<real>(<real>t.restitutionThreshold, AT_REST));
+  fallBack(t, count);
   for (let i = 0; i < t.impactCount; i++) storeImpact(t, impactAt(t, i));
   return t.impactCount;
 }
