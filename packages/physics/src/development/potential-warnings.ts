@@ -39,7 +39,7 @@ export function warnAboutPotentials(world: PhysicsWorld): void {
   }
 }
 
-/** Whether the force and the gradient surely differ: where a potential has a kink, its differences do not agree either. */
+/** Whether the force and the gradient surely differ: at and near a kink of the potential its differences do not agree either. */
 function isWrong(law: Law, place: Place): boolean {
   const force = forceAt(law, place);
   if (force === undefined) return false;
@@ -52,13 +52,16 @@ function isWrong(law: Law, place: Place): boolean {
   return false;
 }
 
+/** The derivative of the potential by central differences; NaN at a kink, where those of both sides are not the same. */
 function derivative(law: Law, place: Place, axis: number, part: number): number {
   const step = part * Math.max(1, Math.abs(place.position[axis]));
-  const [before, after] = [-step, step].map((by) => {
+  const [before, here, after] = [-step, 0, step].map((by) => {
     const moved = place.position.map((x, i) => (i === axis ? x + by : x));
     return potentialAt(law, { ...place, position: [moved[0], moved[1], moved[2]] }) ?? Number.NaN;
   });
-  return (after - before) / (2 * step);
+  const slope = (after - before) / (2 * step);
+  const bend = (after - 2 * here + before) / step;
+  return Math.abs(bend) <= 10 * PRECISION * Math.abs(slope) ? slope : Number.NaN;
 }
 
 function warn(world: PhysicsWorld, law: Law, body: number): void {
