@@ -9,7 +9,8 @@ export interface BoxSystem extends LocalSystem {
   prepare(world: PhysicsWorld): unknown;
   /**
    * Bounces the bodies of a list: see `WallTest`. Returns whether all velocities are in range.
+   * @param words the list, whose address is `list`
    * @param savesVelocity the velocities at the start of the step are in columns, and not in the list
    */
-  bounceListed(world: PhysicsWorld, list: number, dt: number, savesVelocity: boolean): boolean;
+  bounceListed(world: PhysicsWorld, words: Uint32Array, list: number, dt: number, savesVelocity: boolean): boolean;
 }

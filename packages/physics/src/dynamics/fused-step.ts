@@ -14,7 +14,6 @@ import { anyForceAppliesTorque, lawLoopOf } from './evaluate-forces.ts';
 import { impactLoop } from './impact-loop.ts';
 import { layoutOf } from './layout.ts';
 import { ParameterBlock, variantOf } from './parameter-block.ts';
-import { findImpacts, refineImpacts } from './refine-impacts.ts';
 import { runChecked } from './run-checked.ts';
 import { lastStepOf, schemeMemory } from './scheme-memory.ts';
 import type { StepFeatures } from './step-features.ts';
@@ -129,9 +128,7 @@ function bounceList(world: PhysicsWorld, walls: BoxSystem, dt: number): boolean 
   const { words, at } = wallList(world);
   if (words[WallListWord.end] === at + WALL_LIST_BYTES) return true;
   const { savesVelocity } = stepLoop(world);
-  const impacts = findImpacts(world, words, at, dt, savesVelocity);
-  const isGood = walls.bounceListed(world, at, dt, savesVelocity);
-  refineImpacts(world, impacts, dt, savesVelocity);
+  const isGood = walls.bounceListed(world, words, at, dt, savesVelocity);
   clearWallList(world);
   return isGood;
 }

@@ -3,6 +3,7 @@
 import { MAX_SPEED } from '../components/velocity.ts';
 import { type BoxSystem, bounceFromBox } from '../dynamics/fused-step.ts';
 import { FAR } from '../dynamics/loop-checks.ts';
+import { findImpacts, refineImpacts } from '../dynamics/refine-impacts.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkKeys, checkNumber, checkVector, mustBe, type VectorInput } from '../errors/validate.ts';
 import { AXES } from '../memory/axes.ts';
@@ -60,8 +61,13 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
         world.kernels.boxRows(at, dt, lagOf(world, dt), bounds[2 * r], bounds[2 * r + 1]);
       }
     },
-    bounceListed: (world, list, dt, savesVelocity) =>
-      world.kernels.boxListed(boxAt(world), list, dt, lagOf(world, dt), MAX_SPEED, savesVelocity ? 1 : 0) === 0,
+    bounceListed(world, words, list, dt, savesVelocity) {
+      const impacts = findImpacts(world, words, list, dt, savesVelocity);
+      const box = boxAt(world);
+      const wrong = world.kernels.boxListed(box, list, dt, lagOf(world, dt), MAX_SPEED, savesVelocity ? 1 : 0);
+      refineImpacts(world, impacts, dt, savesVelocity);
+      return wrong === 0;
+    },
   };
   return system;
 }
