@@ -15,10 +15,10 @@ import * as block from '../../solver/2d/contact-block';
 import { contactOf, isFast, laneAt, pointAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
+import { halfKick } from './half-kick';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
-import { catchUp, fallBack } from './lagging-speeds';
 import { memberOf, othersIn, projectImpact, projectImpacts, startTrees } from './impact-trees';
 
 // An impact runs on where it strikes by more than this part of the threshold.
@@ -41,9 +41,9 @@ export function applyRestitution(table: usize): i32 {
   projectImpacts(t);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
-  catchUp(t, count);
+  halfKick(t, count, false);
   bounceInRounds(t, max<real>(<real>t.restitutionThreshold, AT_REST));
-  fallBack(t, count);
+  halfKick(t, count, true);
   for (let i = 0; i < t.impactCount; i++) storeImpact(t, impactAt(t, i));
   return t.impactCount;
 }

@@ -134,7 +134,7 @@ export function watchSleepers(t: RigidTable): void {
     const flags = flagsOf(t, row);
     if ((flags & (ASLEEP | PART)) != ASLEEP) continue;
     const sleeper = sleeperOf(t, row);
-    // What was put to sleep in full flight no longer feels the drag that it felt.
+    // What was put to sleep while it moved no longer feels the drag that it felt.
     if (sleeper.isStopped != 0) {
       sleeper.isStopped = 0;
       noteForces(t, row, sleeper);

@@ -11,23 +11,17 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { firstEdge, nextEdge, visit } from './contact-edges';
 import { impactAt } from './impact';
 
-// The searches of both ways, before and after all rounds.
-const CATCH_UP: i32 = -2;
-const FALL_BACK: i32 = -3;
+// The searches before and after all rounds.
+const FORWARD: i32 = -2;
+const BACK: i32 = -3;
 
-// Before the rounds: the bodies of the first `count` impacts.
-export function catchUp(t: RigidTable, count: i32): void {
+// Gives the bodies of the first `count` impacts that flew what their force gives in half a sub-step, or takes it back.
+export function halfKick(t: RigidTable, count: i32, takesBack: bool): void {
+  const time = <real>((takesBack ? -0.5 : 0.5) * t.h);
+  const search = takesBack ? BACK : FORWARD;
   for (let i = 0; i < count; i++) {
-    accelerate(t, impactAt(t, i).rowA, 0.5 * <real>t.h, CATCH_UP);
-    accelerate(t, impactAt(t, i).rowB, 0.5 * <real>t.h, CATCH_UP);
-  }
-}
-
-// After them, the same bodies.
-export function fallBack(t: RigidTable, count: i32): void {
-  for (let i = 0; i < count; i++) {
-    accelerate(t, impactAt(t, i).rowA, -0.5 * <real>t.h, FALL_BACK);
-    accelerate(t, impactAt(t, i).rowB, -0.5 * <real>t.h, FALL_BACK);
+    accelerate(t, impactAt(t, i).rowA, time, search);
+    accelerate(t, impactAt(t, i).rowB, time, search);
   }
 }
 
