@@ -22,13 +22,12 @@ import type { BoxSystem } from './box-system.ts';
 import { type ImpactLoop, impactLoop } from './impact-loop.ts';
 import type { Box } from './step-features.ts';
 
-/** The numbers of an impact, in `impacts`; after them the velocity without walls and the mean acceleration, per axis. */
+/** The numbers of an impact; after them the velocity without walls and the mean acceleration, per axis. */
 const [ROW, AXIS, SIDE, PLANE, AFTER, RESTITUTION, VELOCITY, ACCELERATION, SIZE] = [0, 1, 2, 3, 4, 5, 6, 9, 12];
 
-/** The impacts of a list, reused by all worlds: it holds nothing between two steps. */
-let impacts = new Float64Array(64 * SIZE);
-
 interface Columns {
+  /** The impacts of a list. */
+  impacts: Float64Array;
   readonly position: readonly RealColumn[];
   readonly velocity: readonly RealColumn[];
   readonly previous: readonly RealColumn[];
@@ -59,6 +58,7 @@ const columnsOf = cachedWithPlan((world): Columns => {
   const Column = precision === 'f32' ? Float32Array : Float64Array;
   const axes = AXES[world.dimensions];
   return {
+    impacts: new Float64Array(64 * SIZE),
     position: axes.map((axis) => components.Position[axis]),
     velocity: axes.map((axis) => components.Velocity[axis]),
     previous: axes.map((axis) => previous.Position[axis]),
@@ -97,7 +97,7 @@ export function findImpacts(
       if (!(radius[row] > 0 && mass[row] > 0)) continue;
       const axis = axisHit(columns, row);
       if (axis < 0) continue;
-      if (impacts.length < (count + 1) * SIZE) grow();
+      if (columns.impacts.length < (count + 1) * SIZE) grow(columns);
       const from = savesVelocity ? -1 : listed + lane;
       if (!noteImpact(columns, row, axis, from, dt, count * SIZE)) continue;
       prepareWay(loop, columns, count * SIZE, from, dt);
@@ -125,7 +125,7 @@ function axisHit({ position, radius, low, high }: Columns, row: number): number 
  * @param from index of the velocity at the start of the step in the memory, -1 if that is in a column
  */
 function noteImpact(columns: Columns, row: number, axis: number, from: number, dt: number, at: number): boolean {
-  const { position, velocity, radius, restitution, wallRestitution, low, high } = columns;
+  const { impacts, position, velocity, radius, restitution, wallRestitution, low, high } = columns;
   const r = radius[row];
   const x = position[axis][row];
   const side = x < low[axis] + r ? 1 : -1;
@@ -150,7 +150,7 @@ function startVelocity({ start, memory, lanes }: Columns, axis: number, row: num
 
 /** Sets the way of a body to the wall. */
 function prepareWay(loop: ImpactLoop, columns: Columns, at: number, from: number, dt: number): void {
-  const { velocity, previous } = columns;
+  const { impacts, velocity, previous } = columns;
   const row = impacts[at + ROW];
   for (let i = 0; i < velocity.length; i++) {
     const v = startVelocity(columns, i, row, from);
@@ -162,10 +162,10 @@ function prepareWay(loop: ImpactLoop, columns: Columns, at: number, from: number
   loop.duration[row] = dt - impacts[at + AFTER];
 }
 
-function grow(): void {
-  const larger = new Float64Array(2 * impacts.length);
-  larger.set(impacts);
-  impacts = larger;
+function grow(columns: Columns): void {
+  const larger = new Float64Array(2 * columns.impacts.length);
+  larger.set(columns.impacts);
+  columns.impacts = larger;
 }
 
 /** Takes the step of the bodies that `findImpacts` found again, after the walls have bounced them. */
@@ -174,14 +174,14 @@ export function refineImpacts(world: PhysicsWorld, count: number, dt: number, sa
   if (loop === undefined || count === 0) return;
   const columns = columnsOf(world);
   loop.block.write(dt, world.time, 0);
-  runVectors(loop, count, columns.lanes);
+  runVectors(loop, columns, count);
   for (let k = 0; k < count; k++) reflect(loop, columns, k * SIZE, dt);
-  runVectors(loop, count, columns.lanes);
+  runVectors(loop, columns, count);
   for (let k = 0; k < count; k++) accept(loop, columns, k * SIZE, savesVelocity);
 }
 
 /** Runs the loop once for each vector that has a body of the list, whose rows ascend. */
-function runVectors(loop: ImpactLoop, count: number, lanes: number): void {
+function runVectors(loop: ImpactLoop, { impacts, lanes }: Columns, count: number): void {
   let done = -1;
   for (let k = 0; k < count; k++) {
     const row = impacts[k * SIZE + ROW];
@@ -193,7 +193,7 @@ function runVectors(loop: ImpactLoop, count: number, lanes: number): void {
 }
 
 /** Puts a body at the wall, with its velocity reflected, for the rest of the step; its axis becomes -1 if that has no sense. */
-function reflect(loop: ImpactLoop, { velocity }: Columns, at: number, dt: number): void {
+function reflect(loop: ImpactLoop, { impacts, velocity }: Columns, at: number, dt: number): void {
   const row = impacts[at + ROW];
   const axis = impacts[at + AXIS];
   const side = impacts[at + SIDE];
@@ -217,7 +217,8 @@ function reflect(loop: ImpactLoop, { velocity }: Columns, at: number, dt: number
 }
 
 /** Takes the state at the end of the step over, if it is on the inner side of the wall. */
-function accept(loop: ImpactLoop, { position, velocity, start }: Columns, at: number, savesVelocity: boolean): void {
+function accept(loop: ImpactLoop, columns: Columns, at: number, savesVelocity: boolean): void {
+  const { impacts, position, velocity, start } = columns;
   const row = impacts[at + ROW];
   const axis = impacts[at + AXIS];
   if (axis < 0 || !(impacts[at + SIDE] * (loop.position[axis][row] - impacts[at + PLANE]) >= 0)) return;
