@@ -1,5 +1,5 @@
 // The list of impacts, filled from the blocks of contacts and emptied into them.
-import { pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { IS_DEEP, pointOf as contactPointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { get, put } from '../../memory/columns';
 import { flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
@@ -57,7 +57,8 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
   impact.massBx = get(at + block.MASS_BX, l);
   impact.massBy = get(at + block.MASS_BY, l);
   impact.inertiaB = get(at + block.INERTIA_B, l);
-  impact.restitution = get(at + block.RESTITUTION, l);
+  // Bodies that were put into each other are pushed apart without bouncing.
+  impact.restitution = (contact.flags & IS_DEEP) != 0 ? <real>0 : contact.restitution;
   impact.friction = get(at + block.FRICTION, l);
   impact.tangentSpeed = get(at + block.TANGENT_SPEED, l);
   for (let i = 0; i < contact.count; i++) {

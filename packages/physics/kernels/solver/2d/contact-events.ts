@@ -4,6 +4,7 @@ import { put } from '../../memory/columns';
 import {
   ContactPoint,
   DID_OVERLAP,
+  FAST_POINT,
   OVERLAPS,
   RigidContact,
   SENSES,
@@ -54,16 +55,11 @@ export function listContactEvents(table: usize): void {
     if (state == WAS_TOUCHING) noteEnd(t, contact);
     if ((state & TOUCHING) == 0) continue;
     // Most contacts have nothing to report.
-    if (state != TOUCHING && !mayBeHit(contact, -(<real>t.hitSpeed))) continue;
+    if (state != TOUCHING && (contact.flags & FAST_POINT) == 0) continue;
     const point = fastestPoint(contact);
     if (state == TOUCHING) noteContact(t, begins, contact, point);
     if (-point.normalSpeed > <real>t.hitSpeed && point.totalImpulse != 0) noteContact(t, hits, contact, point);
   }
-}
-
-// @ts-ignore: decorator
-@inline function mayBeHit(contact: RigidContact, speed: real): bool {
-  return pointOf(contact, 0).normalSpeed < speed || (contact.count > 1 && pointOf(contact, 1).normalSpeed < speed);
 }
 
 // The point at which the surfaces approached faster; of two points of which one was hit, that one.

@@ -69,11 +69,8 @@ function speedAt(at: usize, p: usize, l: i32): real {
 export function separationAt(at: usize, p: usize, l: i32): real {
   const a = changetype<BodyState>(<usize>word(at + block.A, l));
   const b = changetype<BodyState>(<usize>word(at + block.B, l));
-  const ax = get(p + block.AX, l);
-  const ay = get(p + block.AY, l);
-  const bx = get(p + block.BX, l);
-  const by = get(p + block.BY, l);
-  const x = b.dx - a.dx + (b.dc * bx - b.ds * by - (a.dc * ax - a.ds * ay));
-  const y = b.dy - a.dy + (b.ds * bx + b.dc * by - (a.ds * ax + a.dc * ay));
-  return get(p + block.SEPARATION, l) + (get(at + block.NX, l) * x + get(at + block.NY, l) * y);
+  const moved = get(at + block.NX, l) * (b.dx - a.dx) + get(at + block.NY, l) * (b.dy - a.dy);
+  const alongA = a.dc * get(p + block.ALONG_A, l) + a.ds * get(p + block.NORMAL_LEVER_A, l);
+  const alongB = b.dc * get(p + block.ALONG_B, l) + b.ds * get(p + block.NORMAL_LEVER_B, l);
+  return get(p + block.SEPARATION, l) + (moved + (alongB - alongA));
 }

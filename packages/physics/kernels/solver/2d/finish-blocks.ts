@@ -24,13 +24,25 @@ export function finishBlocks(t: RigidTable): void {
   const apartX = v128.load(at, block.APART_X);
   const apartY = v128.load(at, block.APART_Y);
   for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    setDistances(at, p, roundingA, roundingB);
     setLevers(at, p, apartX, apartY);
     setMasses(at, p);
     setSpeed(at, p, vx, vy, wA, wB);
-    setAnchors(at, p, roundingA, roundingB);
   }
   const speed = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   if (v128.any_true(v128.lt<real>(speed, splat(-block.HIT_SPEED)))) t.hitCount++;
+}
+
+// Along the normal, to what the surfaces are round about, and the separation less what is between these.
+// @ts-ignore: decorator
+@inline function setDistances(at: usize, p: usize, roundingA: v128, roundingB: v128): void {
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+  const a = sub(add(mul(v128.load(p, block.AX), nx), mul(v128.load(p, block.AY), ny)), roundingA);
+  const b = add(add(mul(v128.load(p, block.BX), nx), mul(v128.load(p, block.BY), ny)), roundingB);
+  v128.store(p, a, block.ALONG_A);
+  v128.store(p, b, block.ALONG_B);
+  v128.store(p, sub(v128.load(p, block.SEPARATION), sub(b, a)), block.SEPARATION);
 }
 
 // Levers at one point of both bodies, of which b is at (apartX, apartY) from a: the anchors of a manifold that is used again have slid
@@ -79,23 +91,6 @@ export function finishBlocks(t: RigidTable): void {
   const moving = add(mul(v128.load(at, block.NX), vx), mul(v128.load(at, block.NY), vy));
   const exists = v128.gt<real>(v128.load(p, block.NORMAL_MASS), splat(0));
   v128.store(p, v128.and(add(moving, sub(turningB, turningA)), exists), block.NORMAL_SPEED);
-}
-
-// Those about which surfaces are round, and the separation less the distance between them along the normal.
-// @ts-ignore: decorator
-@inline function setAnchors(at: usize, p: usize, roundingA: v128, roundingB: v128): void {
-  const nx = v128.load(at, block.NX);
-  const ny = v128.load(at, block.NY);
-  const ax = sub(v128.load(p, block.AX), mul(roundingA, nx));
-  const ay = sub(v128.load(p, block.AY), mul(roundingA, ny));
-  const bx = add(v128.load(p, block.BX), mul(roundingB, nx));
-  const by = add(v128.load(p, block.BY), mul(roundingB, ny));
-  v128.store(p, ax, block.AX);
-  v128.store(p, ay, block.AY);
-  v128.store(p, bx, block.BX);
-  v128.store(p, by, block.BY);
-  const between = add(mul(nx, sub(bx, ax)), mul(ny, sub(by, ay)));
-  v128.store(p, sub(v128.load(p, block.SEPARATION), between), block.SEPARATION);
 }
 
 // Adds what bodies that turn yield at the levers of an impulse to an inverse mass.

@@ -2,7 +2,7 @@
 import { LANES, at as laneOffset } from '../../memory/lanes';
 import { clearRecord } from '../../memory/records';
 import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
-import { FORESEEN, IS_DEEP, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { FAST_POINT, FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
@@ -34,7 +34,6 @@ export function prepareContacts(table: usize): void {
   soften(hertz, t.contactDampingRatio, t.h);
   const biasRate = <real>(softness.biasRate * softness.massScale);
   const massScale = <real>softness.massScale;
-  const impulseScale = <real>softness.impulseScale;
   // Against what does not move contacts are stiffer, so that nothing is pushed through the ground, and against what is much
   // heavier, so that it does not sink into what bears it.
   soften(2 * hertz, t.contactDampingRatio, t.h);
@@ -50,7 +49,6 @@ export function prepareContacts(table: usize): void {
     const single = isUneven(poseOf(t, contact.bodyA).inverseMass, poseOf(t, contact.bodyB).inverseMass);
     store<real>(lane, single ? <real>(softness.biasRate * softness.massScale) : biasRate, block.BIAS_RATE);
     store<real>(lane, single ? <real>softness.massScale : massScale, block.MASS_SCALE);
-    store<real>(lane, single ? <real>softness.impulseScale : impulseScale, block.IMPULSE_SCALE);
     noteDepth(t, contact);
     fillBodies(t, contact, at, l);
     for (let p = 0; p < contact.count; p++) fillPoint(t, contact, lane, p);
@@ -112,8 +110,6 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, contact.tangentSpeed, block.TANGENT_SPEED);
   store<real>(lane, contact.rollingResistance, block.ROLLING);
   store<real>(lane, contact.rollingImpulse, block.ROLLING_IMPULSE);
-  // Bodies that were put into each other are pushed apart without bouncing.
-  store<real>(lane, (contact.flags & IS_DEEP) != 0 ? <real>0 : contact.restitution, block.RESTITUTION);
   store<real>(lane, roundingAt(t, contact.a), block.ROUNDING_A);
   store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
 }
@@ -175,12 +171,12 @@ export function storeImpulses(table: usize): void {
   for (let i = 0; i < t.touchingCount; i++) {
     const place = takeLane(t, word(t.touching, 2 * i + 1));
     const lane = block.blockOf(t, place / LANES) + laneOffset(place & (LANES - 1));
-    storeContact(contactAt(t, word(t.touching, 2 * i)), lane, <real>t.impulseWeight);
+    storeContact(contactAt(t, word(t.touching, 2 * i)), lane, <real>t.impulseWeight, -(<real>t.hitSpeed));
   }
 }
 
 // @ts-ignore: decorator
-@inline function storeContact(contact: RigidContact, lane: usize, weight: real): void {
+@inline function storeContact(contact: RigidContact, lane: usize, weight: real, hitSpeed: real): void {
   contact.rollingImpulse = blend(contact.rollingImpulse, load<real>(lane, block.ROLLING_IMPULSE), weight);
   for (let p = 0; p < contact.count; p++) {
     const point = pointOf(contact, p);
@@ -189,6 +185,7 @@ export function storeImpulses(table: usize): void {
     point.tangentImpulse = blend(point.tangentImpulse, load<real>(from, block.TANGENT_IMPULSE), weight);
     point.totalImpulse = load<real>(from, block.TOTAL_IMPULSE);
     point.normalSpeed = load<real>(from, block.NORMAL_SPEED);
+    if (point.normalSpeed < hitSpeed) contact.flags |= FAST_POINT;
   }
 }
 

@@ -117,26 +117,13 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   v128.store(total, add(v128.load(total), impulse));
 }
 
-// How far the surfaces are from each other at a point, where b has moved by (dx, dy) from a and both have turned.
+// How far the surfaces are from each other at a point, where b has moved by `along` from a along the normal and both have turned: what
+// is d along the normal and at a lever l is at d cos θ + l sin θ then.
 // @ts-ignore: decorator
-@inline function separationAt(
-  p: usize,
-  nx: v128,
-  ny: v128,
-  dx: v128,
-  dy: v128,
-  cA: v128,
-  sA: v128,
-  cB: v128,
-  sB: v128,
-): v128 {
-  const ax = v128.load(p, block.AX);
-  const ay = v128.load(p, block.AY);
-  const bx = v128.load(p, block.BX);
-  const by = v128.load(p, block.BY);
-  const sx = add(dx, sub(sub(mul(cB, bx), mul(sB, by)), sub(mul(cA, ax), mul(sA, ay))));
-  const sy = add(dy, sub(add(mul(sB, bx), mul(cB, by)), add(mul(sA, ax), mul(cA, ay))));
-  return add(v128.load(p, block.SEPARATION), add(mul(sx, nx), mul(sy, ny)));
+@inline function separationAt(p: usize, along: v128, cA: v128, sA: v128, cB: v128, sB: v128): v128 {
+  const alongA = add(mul(cA, v128.load(p, block.ALONG_A)), mul(sA, v128.load(p, block.NORMAL_LEVER_A)));
+  const alongB = add(mul(cB, v128.load(p, block.ALONG_B)), mul(sB, v128.load(p, block.NORMAL_LEVER_B)));
+  return add(v128.load(p, block.SEPARATION), add(along, sub(alongB, alongA)));
 }
 
 // By how much the normal impulse of a point is too large at this speed and separation.
@@ -156,8 +143,9 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const rigid = add(speed, v128.and(apart, mul(separation, inverseH)));
   if (!soft) return mul(mass, rigid);
   const bias = larger(slowest, mul(v128.load(at, block.BIAS_RATE), separation));
-  const change = v128.bitselect(rigid, add(mul(v128.load(at, block.MASS_SCALE), speed), bias), apart);
-  return add(mul(mass, change), v128.andnot(mul(v128.load(at, block.IMPULSE_SCALE), impulse), apart));
+  const massScale = v128.load(at, block.MASS_SCALE);
+  const change = v128.bitselect(rigid, add(mul(massScale, speed), bias), apart);
+  return add(mul(mass, change), v128.andnot(mul(sub(splat(1), massScale), impulse), apart));
 }
 
 // The normals, and when relaxing friction, of those contacts of a block whose lane is set. The total impulse is the sum of those with
@@ -188,12 +176,13 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const iB = v128.load(at, block.INERTIA_B);
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
+  const along = add(mul(dx, nx), mul(dy, ny));
   const moved = sub(mul(dx, ny), mul(dy, nx));
   const shiftA = mul(v128.load(at, block.SHARE_A), moved);
   const shiftB = mul(v128.load(at, block.SHARE_B), moved);
   const end = endOfPoints(at);
   for (let p = at + block.POINTS; p < end; p += block.POINT) {
-    const s = separationAt(p, nx, ny, dx, dy, cA, sA, cB, sB);
+    const s = separationAt(p, along, cA, sA, cB, sB);
     const leverA = add(v128.load(p, block.NORMAL_LEVER_A), shiftA);
     const leverB = sub(v128.load(p, block.NORMAL_LEVER_B), shiftB);
     const moving = add(mul(sub(vxB, vxA), nx), mul(sub(vyB, vyA), ny));
@@ -215,21 +204,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     vyB = add(vyB, mul(myB, py));
     wB = add(wB, mul(iB, mul(delta, leverB)));
   }
-  if (!soft)
-    return applyFriction(
-      at,
-      lanes,
-      repeat,
-      add(mul(dx, nx), mul(dy, ny)),
-      vxA,
-      vyA,
-      wA,
-      turnedA,
-      vxB,
-      vyB,
-      wB,
-      turnedB,
-    );
+  if (!soft) return applyFriction(at, lanes, repeat, along, vxA, vyA, wA, turnedA, vxB, vyB, wB, turnedB);
   scatter(a, vxA, vyA, wA, turnedA);
   scatter(b, vxB, vyB, wB, turnedB);
 }

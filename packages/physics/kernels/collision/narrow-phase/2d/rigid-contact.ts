@@ -85,6 +85,8 @@ export const COVERED: u32 = 512;
 export const IS_DEEP: u32 = 1024;
 // The manifold is that of the moment in this step at which the shapes will meet (collide-ahead.ts).
 export const FORESEEN: u32 = 2048;
+// A point approached faster than the hit speed when the step began.
+export const FAST_POINT: u32 = 4096;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {
