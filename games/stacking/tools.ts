@@ -22,6 +22,8 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 /* For a mouse the buttons stand at the left, above the tools, from the top in the order of the keyboard; the hint beside them. */
 @media (pointer: fine) { .game .game-pad { left: 16px; bottom: 84px; grid: auto-flow 48px / 48px; justify-content: start } .game-hint { left: 76px }
   .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 188px; width: 48px; height: 48px } }
+/* For fingers they stand in a row, below what is built. */
+@media (pointer: coarse) { .game .game-pad { grid: 64px / auto-flow 64px; gap: 12px } .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } }
 @media (max-width: 759px), (max-height: 479px) { .st-tools { top: 66px; bottom: auto } .st-tools button { min-width: 48px; padding: 0 3px }
   .st-tools span { display: block; font-size: 11px; line-height: 1.2 }
   .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px }
