@@ -3,6 +3,7 @@
 export type { BodyInput } from './bodies/body-input.ts';
 export type { ShapeInput } from './bodies/collider-shape.ts';
 export { setCompoundDensity } from './bodies/compound-density.ts';
+export { despawnMany } from './bodies/despawn-many.ts';
 export { type ExplosionOptions, explode } from './bodies/explode.ts';
 export { applyImpulse } from './bodies/impulse.ts';
 export { ballInertia, ballMass, boxInertia, cylinderInertia, discInertia, discMass } from './bodies/inertia.ts';

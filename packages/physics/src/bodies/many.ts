@@ -70,7 +70,8 @@ function checkComponent(space: WorldView, name: ComponentName, data: unknown, co
   return Object.entries(spec.complete === undefined ? columns : completeColumns(space, name, columns, count));
 }
 
-function isList(value: unknown): value is ArrayLike<number> {
+/** Whether a value is an array or a typed array. */
+export function isList(value: unknown): value is ArrayLike<number> {
   return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 }
 

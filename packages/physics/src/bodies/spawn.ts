@@ -97,20 +97,25 @@ export function lacksVelocity(names: readonly ComponentName[]): boolean {
  */
 export function despawn(world: PhysicsWorld, eid: number): void {
   assertUsable(world);
-  if (world.state === 'stepping') {
-    despawnLater(world, eid);
-    return;
-  }
-  if (!hasAnyComponent(world, eid)) throw noBody(eid);
-  removeWithParts(world, eid);
+  if (!mayDespawn(world, eid)) throw noBody(eid);
+  remove(world, eid);
+}
+
+/** Whether `despawn` accepts this id now. */
+export function mayDespawn(world: PhysicsWorld, eid: number): boolean {
+  if (world.state !== 'stepping') return hasAnyComponent(world, eid);
+  // Asks bitECS rather than the rows: bodies created in this step have no rows yet, and others may be removed already.
+  return Number.isInteger(eid) && entityExists(world, eid) && hasAny(world, eid);
+}
+
+/** Removes what `mayDespawn`, during a step when it ends. */
+export function remove(world: PhysicsWorld, eid: number): void {
+  if (world.state === 'stepping') despawnLater(world, eid);
+  else removeWithParts(world, eid);
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {
   const { leaving, deferredEdits } = world.internal;
-  // Asks bitECS rather than the rows: bodies created in this step have no rows yet, and others may be removed already.
-  if (!Number.isInteger(eid) || !entityExists(world, eid) || !hasAny(world, eid)) {
-    throw noBody(eid);
-  }
   const generation = generationOf(world, eid);
   if (leaving.get(eid) === generation) return;
   leaving.set(eid, generation as object);
