@@ -42,6 +42,8 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
 .game-side .lil-disabled .lil-fill { display: none }
 /* A long name takes a second line, so that the slider keeps its length. */
 .game-side .lil-number > .lil-name { box-sizing: border-box; max-width: 46%; white-space: normal; overflow-wrap: anywhere; line-height: 1.25 }
+/* Nothing to show yet. */
+.game-side:not(:has(> :not(.game-side-close))) { visibility: hidden }
 .game-side-close { display: none }
 .game-card { padding: 6px 12px 10px; border-top: 1px solid var(--line) }
 .game-card h2 { margin: 0 0 2px; font-size: 12px; font-weight: 600; color: var(--dim); display: flex; flex-wrap: wrap; gap: 0 10px }
