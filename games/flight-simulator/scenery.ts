@@ -39,7 +39,6 @@ export function painted(
   paint(context);
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 8;
   return texture;
 }
 
@@ -173,6 +172,9 @@ function runway(): Mesh {
       context.restore();
     }
   });
+  // Numbers and lines are seen nearly from the side. Not the ground, too: with a texture that repeats so often Firefox on a machine
+  // without a graphics card does not finish a picture in a minute.
+  texture.anisotropy = 8;
   const geometry = new PlaneGeometry(RUNWAY.length, RUNWAY.width).rotateX(-Math.PI / 2);
   const material = new MeshLambertMaterial({
     map: texture,
