@@ -2,6 +2,7 @@
 import { ASLEEP, WAKES, flagsOf, putFlags, putWord, word } from '../../solver/2d/body';
 import { forgetBox } from '../../solver/2d/gather-bodies';
 import { RigidTable } from '../../solver/2d/rigid-table';
+import { areJoined } from '../../collision/broad-phase/2d/pair-filter';
 import { keyAt, sortKeys } from '../../collision/broad-phase/2d/sort-keys';
 import { JointTable } from './joint-table';
 
@@ -10,7 +11,9 @@ import { JointTable } from './joint-table';
 export function listJoints(table: usize): void {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
-  separatePairs(t, rigid);
+  const before = t.pairCount;
+  // This list is in use only while trees are put in order.
+  memory.copy(t.next, t.pairs, (<usize>before) << 3);
   wakeReleased(t, rigid);
   t.orphanCount = 0;
   t.pairCount = 0;
@@ -32,6 +35,7 @@ export function listJoints(table: usize): void {
   sortKeys(t.pairs, t.spare, t.pairCount);
   rigid.jointPairs = t.pairs;
   rigid.jointPairCount = t.pairCount;
+  releasePairs(t, rigid, before);
 }
 
 // Whether `collide` of a joint has changed since the joints were listed; then its bodies wake.
@@ -67,12 +71,18 @@ function wakeReleased(t: JointTable, rigid: RigidTable): void {
   if ((flagsOf(rigid, row) & ASLEEP) != 0) putFlags(rigid, row, flagsOf(rigid, row) | WAKES);
 }
 
-// Bodies that a joint kept from colliding look for each other again.
-function separatePairs(t: JointTable, rigid: RigidTable): void {
-  for (let i = 0; i < t.pairCount; i++) {
-    const key = keyAt(t.pairs, i);
-    forgetBox(rigid, <i32>(key >> 32));
-    forgetBox(rigid, <i32>key);
+// Bodies that joints no longer keep from colliding look for each other again. They must be awake for that: what sleeps is given
+// no box, and nothing would meet it.
+function releasePairs(t: JointTable, rigid: RigidTable, count: i32): void {
+  for (let i = 0; i < count; i++) {
+    const key = keyAt(t.next, i);
+    const a = <i32>(key >> 32);
+    const b = <i32>key;
+    if (areJoined(rigid, a, b)) continue;
+    forgetBox(rigid, a);
+    forgetBox(rigid, b);
+    wakeLater(rigid, a);
+    wakeLater(rigid, b);
   }
 }
 
