@@ -1,5 +1,5 @@
-// Fast bodies meet what is in their way where and when they should: the normal is that of the impact.
-import { box, createPhysicsWorld, rigidBodies, spawn, step } from '@principia/physics';
+// Bodies meet what is in their way where and when they should, fast or slow: the normal is that of the impact.
+import { box, createPhysicsWorld, rigidBodies, softStep, spawn, step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 
 const DT = 1 / 60;
@@ -81,20 +81,55 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     }
   });
 
-  test.each([3, 6])('a snooker ball that is struck at %d m/s leaves along the line of centres', (speed) => {
-    const r = 0.02625;
-    for (let k = 0; k < 40; k++) {
-      const b = ((k % 20) - 9.5) * 0.09 * 2 * r;
-      const world = createPhysicsWorld({ preset: rigidBodies, precision, capacity: 10 });
-      const { Velocity } = world.components;
-      const collider = { radius: r, restitution: 0.95, friction: 0 } as const;
-      spawn(world, { position: { x: -0.5 - 0.0037 * k, y: -b }, velocity: { x: speed }, mass: 0.14, collider });
-      const struck = spawn(world, { position: {}, mass: 0.14, collider });
-      for (let i = 0; i < 30; i++) step(world, DT);
-      const angle = Math.atan2(Velocity.y[struck], Velocity.x[struck]);
-      // An impact counts where the surfaces are 2.5 % of the radius apart, met to a quarter.
-      const early = Math.asin(b / (2 * r)) - Math.asin(b / ((2 + 1.25 * 0.025) * r));
-      expect(Math.abs(angle - Math.asin(b / (2 * r))), `at ${b} m`).toBeLessThan(Math.abs(early) + 0.1 * DEGREE);
+  // Two discs meet where the surfaces are 0.1 mm apart, so that the line of centres is turned by as much as it will turn until they touch.
+  const early = (b: number, radii: number) => Math.asin(Math.abs(b) / radii) - Math.asin(Math.abs(b) / (radii + 1e-4));
+
+  test.each([0.3, 0.6, 1, 1.5, 2, 3, 6, 12].flatMap((speed) => [60, 120].map((rate) => [speed, rate] as const)))(
+    'a snooker ball that is struck at %d m/s leaves along the line of centres, at %d Hz',
+    (speed, rate) => {
+      const r = 0.02625;
+      for (let k = 0; k < 40; k++) {
+        const b = ((k % 20) - 9.5) * 0.09 * 2 * r;
+        const world = createPhysicsWorld({
+          preset: rigidBodies,
+          precision,
+          capacity: 10,
+          integrator: softStep({ restitutionThreshold: 0.01 }),
+        });
+        const { Velocity } = world.components;
+        const collider = { radius: r, restitution: 0.95, friction: 0 } as const;
+        const start = -0.2 - ((speed / rate) * (k % 13)) / 13;
+        spawn(world, { position: { x: start, y: -b }, velocity: { x: speed }, mass: 0.14, collider });
+        const struck = spawn(world, { position: {}, mass: 0.14, collider });
+        for (let i = 0; i < (0.25 * rate) / speed + 6; i++) step(world, 1 / rate);
+        const angle = Math.atan2(Velocity.y[struck], Velocity.x[struck]);
+        const error = Math.abs(angle - Math.asin(b / (2 * r)));
+        expect(error, `at ${b} m`).toBeLessThan(early(b, 2 * r) + 0.1 * DEGREE);
+      }
+    },
+  );
+
+  test.each([0.3, 0.6, 1, 1.19, 1.5])('a slow ball at %d m/s leaves a bumper by the law of reflection', (speed) => {
+    for (const r of [0.05, 0.1, 0.15]) {
+      for (let k = 0; k < 20; k++) {
+        const b = (0.5 + 0.4 * (k % 2)) * 2 * r;
+        const world = createPhysicsWorld({
+          preset: rigidBodies,
+          precision,
+          capacity: 10,
+          integrator: softStep({ restitutionThreshold: 0.01 }),
+        });
+        const { Velocity } = world.components;
+        const collider = { radius: r, restitution: 1 };
+        const start = -2 * r - 0.1 - ((speed / 60) * k) / 20;
+        const ball = spawn(world, { position: { x: start, y: b }, velocity: { x: speed }, mass: 1, collider });
+        spawn(world, { position: {}, collider });
+        for (let i = 0; i < (60 * (2 * r + 0.15)) / speed; i++) step(world, DT);
+        const direction = Math.atan2(Velocity.y[ball], Velocity.x[ball]);
+        const error = Math.abs(direction - (Math.PI - 2 * Math.asin(b / (2 * r))));
+        expect(error, `a ball of ${r} m at ${b} m`).toBeLessThan(2 * early(b, 2 * r) + 0.1 * DEGREE);
+        expect(Math.hypot(Velocity.x[ball], Velocity.y[ball])).toBeCloseTo(speed, 5);
+      }
     }
   });
 });

@@ -1,21 +1,20 @@
 // The contact of two shapes that fly, as it will be when they meet, if they do so within the step: normal and anchors are those of
 // the impact, and the separations say how far away it is. So what turns, or passes close by, is hit where and as it would be
 // in short steps.
-import { ASLEEP, BodyState, MOVES, flagsOf, poseOf, stateOf } from '../../../solver/2d/body';
+import { ASLEEP, BodyState, MOVES, WALL, flagsOf, poseOf, stateOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { PLANE, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { Manifold, setPoses } from './manifold';
-import { FORESEEN, RigidContact } from './rigid-contact';
+import { FORESEEN, RigidContact, pointOf } from './rigid-contact';
 import { ShapeMotion, motionOfA, motionOfB, move, stay } from './shape-motion';
 import { Sweep, timeOfImpact } from './time-of-impact';
 
 // The distance at which a time of impact counts, m: the slop, so that a body that is put there has a contact.
 export const TARGET: real = 0.005;
 
-// At most this part of the least extent, so that what is small is not stopped far from the impact, where the normal is another: two
-// equal discs are 1.25 % of their distance too far apart, 0.7 degrees for a blow at 45 degrees. In f32 less than the least
-// distance would be lost in rounding.
+// At most this part of the least extent, so that what is small is not stopped far from the impact, where the normal is another. In f32
+// less than the least distance would be lost in rounding.
 const TARGET_PART: real = 0.025;
 const LEAST_TARGET: real = 0.0001;
 
@@ -25,8 +24,15 @@ const LEAST_TARGET: real = 0.0001;
   return max<real>(LEAST_TARGET, min<real>(TARGET, TARGET_PART * minExtent));
 }
 
-// The same for two shapes: the smaller of those that move counts.
+// Whether the shapes of a contact are two discs.
+// @ts-ignore: decorator
+@inline export function areDiscs(t: RigidTable, contact: RigidContact): bool {
+  return (contact.shapeA | contact.shapeB) == 0 && ((flagsOf(t, contact.a) | flagsOf(t, contact.b)) & WALL) == 0;
+}
+
+// The same for two shapes: the smaller of those that move counts. Of two discs the normal is known at any distance.
 export function impactDistance(t: RigidTable, contact: RigidContact): real {
+  if (areDiscs(t, contact)) return LEAST_TARGET;
   const a = isMoving(t, contact.bodyA) ? poseOf(t, contact.a).minExtent : <real>Infinity;
   const b = isMoving(t, contact.bodyB) ? poseOf(t, contact.b).minExtent : <real>Infinity;
   return targetOf(min<real>(a, b));
@@ -58,6 +64,44 @@ export function collideAhead(t: RigidTable, contact: RigidContact, m: Manifold, 
   const time = sweep.fraction * <real>t.dt;
   m.separation0 += time * turning(t, contact, m, m.x0, m.y0);
   m.separation1 += time * turning(t, contact, m, m.x1, m.y1);
+}
+
+// The same for two discs d apart, of which one moves by u in the step from the other. They meet at a fraction f of it, at any speed:
+//
+//   |d + f u| = R
+//
+// Slow ones that do not meet, but would come through the plane between them as they are now, have the contact of the end of
+// the step: this plane they do not reach. Returns false where the contact is that of now.
+export function collideDiscsAhead(
+  t: RigidTable,
+  contact: RigidContact,
+  m: Manifold,
+  shapeA: Shape,
+  shapeB: Shape,
+  isSlow: bool,
+): bool {
+  const radii = shapeA.radius + shapeB.radius;
+  const distance = sqrt<real>(m.bx * m.bx + m.by * m.by);
+  const gap = distance - radii;
+  if (gap <= LEAST_TARGET || gap > m.speculative) return false;
+  // What pushed the two apart in the last step is the contact of now, as in heaps.
+  if (contact.count > 0 && pointOf(contact, 0).normalImpulse > 0) return false;
+  foreseeBoth(t, contact, motionOfA(sweep), motionOfB(sweep));
+  const x = sweep.endBx - sweep.endAx - (sweep.bx - sweep.ax);
+  const y = sweep.endBy - sweep.endAy - (sweep.by - sweep.ay);
+  const along = -(m.bx * x + m.by * y);
+  // The last sub-step ends by stopping what would meet in another one.
+  const end: real = isSlow ? <real>(1 + t.h / t.dt) : 1;
+  if (isSlow && end * along <= distance * (gap - LEAST_TARGET)) return false;
+  const apart = (gap - LEAST_TARGET) * (distance + radii + LEAST_TARGET);
+  const square = along * along - (x * x + y * y) * apart;
+  const meeting = along > 0 && square >= 0 ? apart / (along + sqrt<real>(square)) : <real>Infinity;
+  const fraction = min<real>(end, meeting);
+  collideAt(fraction, m, shapeA, shapeB);
+  if (meeting > end && !isSlow) m.count = 0;
+  contact.flags |= FORESEEN;
+  m.separation0 += fraction * <real>t.dt * turning(t, contact, m, m.x0, m.y0);
+  return true;
 }
 
 // Whether two shapes meet in this step if their bodies go on as they are; then `sweep` says when.

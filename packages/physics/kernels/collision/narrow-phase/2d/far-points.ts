@@ -4,7 +4,7 @@
 import { LOCKED, flagsOf, poseOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape } from '../../shapes/2d/shape';
-import { collideAhead, impactDistance, motionOf } from './collide-ahead';
+import { collideAhead, collideDiscsAhead, impactDistance, motionOf } from './collide-ahead';
 import { Manifold, dropPoint } from './manifold';
 import { RigidContact } from './rigid-contact';
 
@@ -28,6 +28,18 @@ export function reachOf(t: RigidTable, contact: RigidContact): real {
   const turn = abs<real>(stateB.w - stateA.w) * min<real>(a.extent, b.extent);
   const path = <real>t.dt * (sqrt<real>(vx * vx + vy * vy) + turn);
   return path > SPECULATIVE_DISTANCE ? SPECULATIVE_DISTANCE + path : SPECULATIVE_DISTANCE;
+}
+
+// Finds the contact of two discs that are apart and come nearer. Returns false where it is that of now.
+// @ts-ignore: decorator
+@inline export function foreseeDiscs(
+  t: RigidTable,
+  contact: RigidContact,
+  m: Manifold,
+  shapeA: Shape,
+  shapeB: Shape,
+): bool {
+  return collideDiscsAhead(t, contact, m, shapeA, shapeB, m.speculative == SPECULATIVE_DISTANCE);
 }
 
 // Leaves out the points that are further away than they may come in this step.

@@ -37,9 +37,10 @@ import { shapeAt } from '../../../solver/2d/walls';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet, kindsMeet, layersMeet } from '../../broad-phase/2d/pair-filter';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
+import { areDiscs } from './collide-ahead';
 import { collideShapes } from './collide-shapes';
 import { freeContact, isCurrent, sensorFlags } from './contact-list';
-import { SPECULATIVE_DISTANCE, dropFarPoints, reachOf } from './far-points';
+import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, reachOf } from './far-points';
 import { Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
@@ -237,9 +238,11 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.as = a.s;
   contact.bc = b.c;
   contact.bs = b.s;
-  moveToMiddle(t, contact, m, shapeA, shapeB);
-  collideShapes(m, shapeA, shapeB);
-  dropFarPoints(t, contact, m, shapeA, shapeB);
+  if (!areDiscs(t, contact) || !foreseeDiscs(t, contact, m, shapeA, shapeB)) {
+    moveToMiddle(t, contact, m, shapeA, shapeB);
+    collideShapes(m, shapeA, shapeB);
+    dropFarPoints(t, contact, m, shapeA, shapeB);
+  }
   contact.dx = m.bx;
   contact.dy = m.by;
   // A predicted manifold is computed again in the next step.
