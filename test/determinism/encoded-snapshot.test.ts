@@ -210,3 +210,17 @@ it('state of one’s own with a name is found by it', () => {
   restore(b, decodeSnapshot(b, encodeSnapshot(snapshot(a))));
   expect(score(b).points).toBe(5);
 });
+
+it('reads bytes wherever they begin in the memory of a message, also as a Buffer of Node', () => {
+  const make = () => createPhysicsWorld({ preset: rigidBodies, capacity: 10 });
+  const world = make();
+  spawn(world, { position: { y: 1 }, collider: { radius: 1, density: 1 } });
+  const bytes = encodeSnapshot(snapshot(world));
+  for (const header of [0, 1, 4, 8, 13]) {
+    const message = Buffer.alloc(header + bytes.length + 5);
+    message.set(bytes, header);
+    const other = make();
+    restore(other, decodeSnapshot(other, message.subarray(header, header + bytes.length)));
+    expect(stateHash(other)).toBe(stateHash(world));
+  }
+});

@@ -138,8 +138,6 @@ it('an impulse on a body that is static or kinematic', () => {
 });
 
 it('the id of a body where isAlive asks for a reference', () => {
-  // References of the first world of a program may be equal to ids.
-  listen();
   const { world, crate, messages } = listen();
   const body = crate();
   const other = entityRef(world, crate(3));

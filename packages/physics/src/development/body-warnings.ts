@@ -32,10 +32,9 @@ export function warnAboutImpulse(world: PhysicsWorld, body: number): void {
   warnOnce(world, warning, 'impulse without effect');
 }
 
-/** Warns about the id of a body in the place of a reference, which no reference of a world after the first is. */
+/** Warns about the id of a body in the place of a reference, which no reference is. */
 export function warnAboutDeadRef(world: PhysicsWorld, ref: number): void {
-  const { members, firstGeneration } = world.internal;
-  if (firstGeneration === 0 || !(ref <= world.capacity) || (members[ref] & bitOf('Position')) === 0) return;
+  if (!(ref <= world.capacity) || (world.internal.members[ref] & bitOf('Position')) === 0) return;
   const warning = {
     message: `isAlive got ${ref}, which is the id of a body, and not a reference of this world.`,
     hint: 'Keep entityRef(world, id) and pass that; of an id ask isBody(world, id).',

@@ -33,7 +33,8 @@ const MAX_GENERATIONS = 2 ** 29;
  */
 const GOLDEN = 331_804_471;
 
-let worldsCreated = 0;
+/** From 1 on, because the first references of a world whose generations begin at 0 would be its ids. */
+let worldsCreated = 1;
 
 /**
  * Returns where the generations in references of the next world begin. Two of a thousand worlds begin more than 200 000

@@ -62,8 +62,8 @@ export class BytesReader {
   /** @throws PhysicsError E_TYPE for bytes that are no snapshot, or not whole */
   constructor(given: Uint8Array) {
     if (!(given instanceof Uint8Array)) throw notASnapshot('it is no Uint8Array');
-    // A copy, so that arrays lie at multiples of eight, and nothing changes meanwhile.
-    const bytes = given.slice();
+    // A copy, so that arrays lie at multiples of eight, and nothing changes meanwhile; not by `slice`, which does not copy in a Buffer.
+    const bytes = new Uint8Array(given);
     if (bytes.length < HEADER_AT || MARK.some((byte, i) => bytes[i] !== byte))
       throw notASnapshot('it begins otherwise');
     const numbers = new DataView(bytes.buffer);
