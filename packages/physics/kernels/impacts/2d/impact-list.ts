@@ -48,6 +48,7 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
   impact.place = place;
   impact.listed = 0;
   impact.held = 0;
+  impact.partner = 0;
   impact.count = contact.count;
   impact.nx = get(at + block.NX, l);
   impact.ny = get(at + block.NY, l);

@@ -11,6 +11,7 @@ import { firstEdge, nextEdge, visit } from './contact-edges';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, tangentSpeedAt, excessAt } from './impact';
 import { addImpact } from './impact-list';
 import { lockJoints, memberOf, othersIn, projectImpact, projectImpacts, projectStruck } from './impact-trees';
+import { pairStruck } from './paired-impacts';
 import { stop } from './stop-impact';
 
 // Contacts that approach faster than this part of the fastest of the same bodies are thrown back with it.
@@ -110,11 +111,13 @@ function strike(t: RigidTable, index: i32): void {
     point.impulse = 0;
     point.tangentBefore = point.tangentImpulse;
   }
+  impact.partner = 0;
   putWord(t.struck, t.struckCount++, index);
 }
 
 // Stops all that are struck, and those again whose bodies others have changed.
 function solveStruck(t: RigidTable, passes: i32, solved: real): void {
+  if (t.struckCount > 1) pairStruck(t);
   const first = ++t.pass;
   for (let last = first + passes; t.pass < last; t.pass++) {
     let change: real = 0;
@@ -122,7 +125,7 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
       const impact = impactAt(t, word(t.struck, i));
       const pushed = max<i32>(word(t.pushes, impact.groupA), word(t.pushes, impact.groupB));
       if (t.pass > first && pushed < t.pass - 1) continue;
-      const changed = stop(impact);
+      const changed = stop(t, impact);
       if ((t.struckCount == 1 || t.pass < first + COUPLED_PASSES) && couplesFriction(impact)) applyFriction(impact);
       if (changed > 0) projectImpact(t, impact);
       if (changed <= solved) continue;

@@ -20,6 +20,8 @@ export class Impact {
   count: i32;
   // Whether joints and their limits keep its points from moving.
   held: i32;
+  // One more than the index of another impact of the same body that is stopped with this one, 0 for none (paired-impacts.ts).
+  partner: i32;
   nx: real;
   ny: real;
   // Inverse masses and moments of inertia.

@@ -1,36 +1,46 @@
 // Stops the approach of one contact: impulses x >= 0 in all, so that w = K x + b >= 0 and x w = 0, where b are the speeds without
 // them. Both points of a contact at once: one after the other would be unequal although they are alike, and a box that
-// falls flat would bounce askew. Source: Catto, Iterative Dynamics with Temporal Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
+// falls flat would bounce askew. The points of a pair of contacts likewise. Source: Catto, Iterative Dynamics with Temporal Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
 import * as block from '../../solver/2d/contact-block';
-import { Impact, ImpactPoint, applyNormalImpulse, excessAt, pointOf } from './impact';
+import { RigidTable } from '../../solver/2d/rigid-table';
+import { Impact, ImpactPoint, applyNormalImpulse, excessAt, impactAt, pointOf } from './impact';
+import { couplingBetween } from './paired-impacts';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
 const LEAST_DETERMINANT: real = 1e-3;
 
 // Returns by how much it changed the speed of a point, m/s.
-export function stop(impact: Impact): real {
+export function stop(t: RigidTable, impact: Impact): real {
   if (impact.held != 0) return 0;
   const p = pointOf(impact, 0);
-  if (impact.count < 2) return setImpulse(impact, p, p.impulse + p.mass * excessAt(impact, p));
-  const q = pointOf(impact, 1);
-  const pp = <real>1 / p.mass;
-  const qq = <real>1 / q.mass;
-  const pq = impact.coupling;
-  const speedP = -excessAt(impact, p) - (pp * p.impulse + pq * q.impulse);
-  const speedQ = -excessAt(impact, q) - (pq * p.impulse + qq * q.impulse);
-  const determinant = pp * qq - pq * pq;
-  if (determinant > LEAST_DETERMINANT * pp * qq) {
-    const impulseP = (pq * speedQ - qq * speedP) / determinant;
-    const impulseQ = (pq * speedP - pp * speedQ) / determinant;
-    if (impulseP >= 0 && impulseQ >= 0) return setImpulses(impact, impulseP, impulseQ);
-  }
-  const alone = -speedP * p.mass;
-  if (alone >= 0 && pq * alone + speedQ >= 0) return setImpulses(impact, alone, 0);
-  return setImpulses(impact, 0, -speedQ * q.mass);
+  if (impact.count > 1) return stopBoth(impact, p, impact, pointOf(impact, 1), impact.coupling);
+  if (impact.partner == 0) return setImpulse(impact, p, p.impulse + p.mass * excessAt(impact, p));
+  const other = impactAt(t, impact.partner - 1);
+  return stopBoth(impact, p, other, pointOf(other, 0), couplingBetween(impact, other));
 }
 
-function setImpulses(impact: Impact, p: real, q: real): real {
-  return max<real>(setImpulse(impact, pointOf(impact, 0), p), setImpulse(impact, pointOf(impact, 1), q));
+// Two points, whose impulses give each other `pq` as much speed.
+function stopBoth(impact: Impact, p: ImpactPoint, other: Impact, q: ImpactPoint, pq: real): real {
+  const pp = <real>1 / p.mass;
+  const qq = <real>1 / q.mass;
+  const speedP = -excessAt(impact, p) - (pp * p.impulse + pq * q.impulse);
+  const speedQ = -excessAt(other, q) - (pq * p.impulse + qq * q.impulse);
+  const determinant = pp * qq - pq * pq;
+  let impulseP = -speedP * p.mass;
+  let impulseQ: real = 0;
+  if (!(impulseP >= 0 && pq * impulseP + speedQ >= 0)) {
+    impulseP = 0;
+    impulseQ = -speedQ * q.mass;
+  }
+  if (determinant > LEAST_DETERMINANT * pp * qq) {
+    const bothP = (pq * speedQ - qq * speedP) / determinant;
+    const bothQ = (pq * speedP - pp * speedQ) / determinant;
+    if (bothP >= 0 && bothQ >= 0) {
+      impulseP = bothP;
+      impulseQ = bothQ;
+    }
+  }
+  return max<real>(setImpulse(impact, p, impulseP), setImpulse(other, q, impulseQ));
 }
 
 // What is not a number becomes 0.
