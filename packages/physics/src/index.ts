@@ -27,6 +27,7 @@ export { type ConvexPiece, decompose } from './collision/shapes/2d/decompose.ts'
 export { polygon } from './collision/shapes/2d/polygon.ts';
 export { segment } from './collision/shapes/2d/segment.ts';
 export type { PointInput, Shape } from './collision/shapes/2d/shape.ts';
+export { type ShapeRecord, shapeFrom } from './collision/shapes/2d/shape-from.ts';
 export { shapeAt, shapeCount } from './collision/shapes/shape-pool.ts';
 export { type Addresses, COMPONENT_NAMES, COMPONENTS, type ComponentName, type Components } from './components/all.ts';
 export { rgba } from './components/appearance.ts';

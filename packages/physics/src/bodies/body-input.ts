@@ -70,7 +70,7 @@ interface ComponentOfKey extends AllKeys {
   testParticle: 'TestParticle';
   /** Given to bodies with a fault by the step. */
   quarantined: 'Quarantined';
-  /** Written by `createJoint`. */
+  /** Written by `createJoint`. A copy of a joint takes its columns, but for the generations and `started`. */
   joint: 'Joint';
   /** Written by `spawnCompound`: the body of which this is a part. */
   attachment: 'Attachment';
