@@ -24,15 +24,9 @@ interface SchemeLoops {
 export const schemeLoops = cachedWithPlan((world): SchemeLoops => {
   const scheme = world.integrator.scheme as Scheme;
   const block = new ParameterBlock(world, [scheme], scheme.stages);
-  const memory = schemeMemory(world, scheme);
+  const memory = schemeMemory(world, scheme).columns;
   const sources = cutScheme(new WorldColumns(world, block, () => scheme), scheme, memory);
-  const key = JSON.stringify([
-    'pieces',
-    layoutOf(world, block),
-    intermediateColumns(world),
-    memory.columns,
-    scheme.structure,
-  ]);
+  const key = JSON.stringify(['pieces', layoutOf(world, block), intermediateColumns(world), memory, scheme.structure]);
   const variant = JSON.stringify(variantOf(scheme));
   const segments = sources.map((source, i) => makeWorldLoop(world, `${key} ${i} ${variant}`, () => source));
   return { block, segments };

@@ -9,7 +9,7 @@ import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
 import { rangeTests } from './loop-checks.ts';
 import { notesOf } from './notes.ts';
-import type { SchemeMemory } from './scheme-memory.ts';
+import { keptStores, lastStepNodes, type MemoryColumns } from './scheme-memory.ts';
 import { velocityChange } from './sum-of-laws.ts';
 import type { WorldColumns } from './world-columns.ts';
 
@@ -19,7 +19,7 @@ export const intermediateColumns = namedResource('intermediate columns', ({ scra
 );
 
 /** Builds the arithmetic of the segments of a scheme. */
-export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeMemory): LoopSource[] {
+export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: MemoryColumns | undefined): LoopSource[] {
   const { graph, world } = columns;
   const { addresses, previousAddresses, scratch } = world;
   const stages: { readonly position: Axes; readonly velocity: Axes }[] = [];
@@ -27,15 +27,16 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeM
   const none = zeroVector(graph);
   const start = { position: columns.axes(addresses.Position), velocity: columns.axes(addresses.Velocity) };
   const vectors: Record<string, Axes> = { ...start };
-  memory.columns.forEach((at, i) => {
-    vectors[`memory${i}`] = columns.axes(at);
+  const last = memory && lastStepNodes(columns, memory);
+  last?.memory.forEach((vector, i) => {
+    vectors[`memory${i}`] = vector;
   });
   const lowering = new Lowering(graph, {
     ...columns.environment(scheme, vectors, columns.timeAt(0), 0),
     scalars: {
       mass: columns.mass,
       charge: graph.make('real', [], addresses.Charge.value),
-      lastDt: columns.load(columns.block.lastDt),
+      lastDt: last?.lastDt ?? graph.constant(0),
     },
     kick(position, velocity, duration, { stage }: StageData) {
       stages[stage] = { position, velocity };
@@ -49,7 +50,8 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeM
     },
   });
   const end = { position: lowering.vector(scheme.position), velocity: lowering.vector(scheme.velocity) };
-  const memoryValues = scheme.memory.map((vector) => lowering.vector(vector));
+  const memoryVectors = scheme.memory.map((vector) => lowering.vector(vector));
+  const kept = memory && last ? keptStores(columns, memory, last.body, memoryVectors) : [];
   const storesTo = (to: Readonly<Record<'x' | 'y' | 'z', number>>, values: Axes): Store[] =>
     columns.axisNames.map((axis, i) => ({ address: to[axis], node: values[i] }));
   const saved = [
@@ -60,7 +62,7 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: SchemeM
     ...storesTo(addresses.Position, position),
     ...storesTo(addresses.Velocity, velocity),
     ...(p > 0 ? [] : saved),
-    ...(p < stages.length ? [] : memoryValues.flatMap((vector, i) => storesTo(memory.columns[i], vector))),
+    ...(p < stages.length ? [] : kept),
   ]);
   return cut(
     columns,

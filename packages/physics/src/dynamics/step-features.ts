@@ -1,5 +1,7 @@
+import type { Store } from '../laws/loop-source.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
+import type { MemoryColumns } from './scheme-memory.ts';
 
 /** An axis-aligned box; a coordinate beyond `FAR` means no wall. */
 export interface Box {
@@ -23,12 +25,13 @@ export interface StepFeatures {
   /** Bodies near a wall are listed, too, and resting ones are left to the kernel, which records their contacts. */
   readonly recordsContacts: boolean;
   /** Columns that the scheme keeps between steps. */
-  readonly memory: readonly Readonly<AxisAddresses>[];
+  readonly memory: MemoryColumns | undefined;
 }
 
 /** The state after a step. */
 export interface Result {
   readonly position: Axes;
   readonly velocity: Axes;
-  readonly memory: readonly Axes[];
+  /** What the scheme keeps for the next step. */
+  readonly kept: readonly Store[];
 }

@@ -1,5 +1,6 @@
 // A whole step as one loop: the integrator with all laws in its stages, the saved pose for interpolation, the checks of
 // the result and the test for box walls.
+import type { Vector } from '../laws/expression.ts';
 import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
@@ -9,6 +10,7 @@ import type { Scheme } from '../world/types.ts';
 import { checksOf } from './loop-checks.ts';
 import { notesOf } from './notes.ts';
 import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
+import { keptStores, lastStepNodes } from './scheme-memory.ts';
 import type { Result, StepFeatures } from './step-features.ts';
 import { type LawForce, ownerOf, type Sum, sumLaws, velocityChange } from './sum-of-laws.ts';
 import { WorldColumns } from './world-columns.ts';
@@ -42,7 +44,7 @@ export function stepLoopSource(
   if (features.savesVelocity) put(scratch.at.startVelocity, velocity);
   put(addresses.Position, result.position);
   put(addresses.Velocity, result.velocity);
-  for (const [i, vector] of result.memory.entries()) put(features.memory[i], vector);
+  stores.push(...result.kept);
   if (features.hasTorque) stores.push(...columns.torqueStores(torque));
   const { precision } = world;
   return {
@@ -70,12 +72,13 @@ export function lowerScheme(
   memory: StepFeatures['memory'],
   { position, velocity, duration = columns.dt }: Start,
 ): { readonly result: Result; readonly torque: Axes } {
-  const { graph, world, block } = columns;
+  const { graph, world } = columns;
   const none = zeroVector(graph);
   const sums: Sum[] = [];
   const vectors: Record<string, Axes> = { position, velocity };
-  memory.forEach((at, i) => {
-    vectors[`memory${i}`] = columns.axes(at);
+  const last = memory && lastStepNodes(columns, memory);
+  last?.memory.forEach((vector, i) => {
+    vectors[`memory${i}`] = vector;
   });
   const lowering = new Lowering(graph, {
     ...columns.environment(scheme, vectors, columns.timeAt(0), 0),
@@ -83,7 +86,7 @@ export function lowerScheme(
     scalars: {
       mass: columns.mass,
       charge: graph.make('real', [], world.addresses.Charge.value),
-      lastDt: columns.load(block.lastDt),
+      lastDt: last?.lastDt ?? graph.constant(0),
     },
     kick(at, moving, during, { stage, fraction }) {
       const time = columns.timeAt(fraction);
@@ -100,10 +103,11 @@ export function lowerScheme(
       return velocityChange(columns, sums[stage], during);
     },
   });
+  const vectorOf = (vector: Vector) => lowering.vector(vector);
   const result = {
     position: lowering.vector(scheme.position),
     velocity: lowering.vector(scheme.velocity),
-    memory: scheme.memory.map((vector) => lowering.vector(vector)),
+    kept: memory && last ? keptStores(columns, memory, last.body, scheme.memory.map(vectorOf)) : [],
   };
   return { result, torque: sums.at(-1)?.torque ?? none };
 }

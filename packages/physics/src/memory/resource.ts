@@ -46,8 +46,8 @@ export function isImmutable(value: object): boolean {
 
 /**
  * State of a feature, one per world, created on first use: `const contacts = resource((world) => …)` and then
- * `contacts(world)`. The type of the world names no feature, and a world pays only for the features it uses. Memory for
- * kernels comes from `allocate(world.internal.arena, …)`.
+ * `contacts(world)`. The type of the world names no feature, and a world pays only for the features it uses. Numbers of
+ * each body are a typed array of `world.rows` numbers.
  *
  * Snapshots save the contents of plain objects, arrays, maps and typed arrays, and drop resources created after them.
  * @param options.excludeFromSnapshot excludes the resource from snapshots; for data that is not state of the world, such as event

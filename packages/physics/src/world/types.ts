@@ -124,6 +124,7 @@ export interface Scheme {
   readonly position: Vector;
   readonly velocity: Vector;
   readonly memory: readonly Vector[];
+  readonly findsNewBodies: boolean;
   /** Fractions of the step at which the forces are evaluated, in order. */
   readonly stages: readonly number[];
   readonly parameters: readonly Parameter[];

@@ -13,7 +13,10 @@ type Facts = Omit<Integrator, 'scheme' | 'advance'>;
  */
 export function defineCheckedIntegrator(facts: Facts, step: SchemeFunction, options?: SchemeOptions): Integrator {
   checkFunction(step, 'defineIntegrator: step');
-  return { ...facts, scheme: recordScheme(step, options) };
+  const scheme = recordScheme(step, options);
+  // Three columns for each vector, and one that says whose they are.
+  const columns = facts.columns ?? (scheme.memory.length > 0 ? 3 * scheme.memory.length + 1 : 0);
+  return { ...facts, columns, scheme };
 }
 
 /**
