@@ -13,6 +13,8 @@ export interface Faces {
   readonly count: number;
   /** Address of the list of quad strips: strips.ts. */
   readonly sections: number;
+  /** The membership version of the world when `areGone` last looked at its corners. */
+  membership: number;
 }
 
 /**
@@ -37,6 +39,19 @@ export function facesOf(ids: ArrayLike<number>, corners: 2 | 3, field: string): 
 /** The memory of faces is state: they know their corners by the generations of the first step, and not bodies with the same ids. */
 export function stateOfFaces({ key }: ForceMemory<Faces>, corners: 2 | 3): NonNullable<Force['memory']> {
   return { key, form: `${corners} corners` };
+}
+
+/** Returns whether none of the bodies at the corners is left, after bodies came or went. */
+export function areGone(world: PhysicsWorld, faces: Faces, corners: number): boolean {
+  if (faces.membership === world.versions.membership) return false;
+  faces.membership = world.versions.membership;
+  const { at, count } = faces;
+  const { buffer } = world.memory;
+  const { generations } = world.internal;
+  const total = corners * count;
+  const words = new Uint32Array(buffer, at, 2 * total);
+  for (let i = 0; i < total; i++) if (generations[words[i]] === words[total + i]) return false;
+  return total > 0;
 }
 
 /** Bytes of scratch memory behind the faces, for the forces of a chunk: kernels/soft-bodies/faces.ts. */
@@ -64,7 +79,7 @@ function copyFaces(world: PhysicsWorld, take: TakeBytes, { ids, corners, field }
     // No generation is this high, so a node that does not exist counts as removed.
     words[word + ids.length] = isBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
   }
-  return { at, count, sections };
+  return { at, count, sections, membership: -1 };
 }
 
 /** Returns whether an entity ever had this id. */

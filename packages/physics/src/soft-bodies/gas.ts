@@ -7,14 +7,14 @@
 //
 // Boyle and Mariotte's law; the gas is in equilibrium throughout and has no mass. On a closed surface the forces are
 // the exact gradient of the volume, so their sum and their torque are zero. A surface that is inverted (V <= 0) or
-// lost a node exerts no force. Explicit: the step must resolve the breathing mode of the body, about dt < 2 √(m V /
-// p) / A. Source: Matyka, Ollila: Pressure model of soft body simulation (2003). Cost: a few operations per face,
-// twice per evaluation.
+// lost a node exerts no force; the gas of one that lost all of them leaves world.forces. Explicit: the step must resolve
+// the breathing mode of the body, about dt < 2 √(m V / p) / A. Source: Matyka, Ollila: Pressure model of soft body
+// simulation (2003). Cost: a few operations per face, twice per evaluation.
 
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { log } from '../math/elementary.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
-import { facesOf, stateOfFaces } from './faces.ts';
+import { areGone, facesOf, stateOfFaces } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
 
 export interface GasOptions {
@@ -45,7 +45,7 @@ export function enclosedGas(options: GasOptions): Force {
     const { at, count } = faces.of(world);
     return softBodyKernels(world).enclosed(at, count, corners, world.internal.generations.byteOffset);
   };
-  return {
+  const gas: Force = {
     name: 'enclosed gas',
     equation: 'F = (G/V - p_a) ∂V/∂x',
     parameters: {
@@ -55,7 +55,9 @@ export function enclosedGas(options: GasOptions): Force {
     reads: ['Position'],
     local: false,
     readsOfOthers: [],
-    prepare: (world) => void faces.of(world),
+    prepare(world) {
+      if (areGone(world, faces.of(world), corners)) world.internal.deferredEdits.push(() => removeForce(world, gas));
+    },
     releaseMemory: faces.release,
     memory: stateOfFaces(faces, corners),
     accumulate(world) {
@@ -74,4 +76,11 @@ export function enclosedGas(options: GasOptions): Force {
       return enclosedVolume > 0 ? ambient * (enclosedVolume - reference) - amount * log(enclosedVolume / reference) : 0;
     },
   };
+  return gas;
+}
+
+/** Removes a force from the world, whose next step lets it give its memory back. */
+function removeForce({ forces }: PhysicsWorld, force: Force): void {
+  const index = forces.indexOf(force);
+  if (index >= 0) forces.splice(index, 1);
 }
