@@ -58,7 +58,9 @@ export { columnsOf } from './ecs/own-components.ts';
 export { type BodyList, bodies } from './ecs/ranges.ts';
 export {
   aliveCount,
+  type Births,
   type BurstOptions,
+  births,
   burst,
   createEmitter,
   destroyEmitter,

@@ -12,6 +12,7 @@ export function openPool(emitter: usize): void {
     putWord(e.generation, slot, word(e.generations, word(e.ids, slot)));
     store<f32>(e.lifetime + ((<usize>slot) << 2), 0);
     deactivate(e, word(e.ids, slot));
+    wait(e, word(e.ids, slot));
   }
   e.freeHead = 0;
   e.freeCount = e.capacity;
@@ -28,6 +29,11 @@ function deactivate(e: Emitter, row: u32): void {
   put(c.velocityY, row, 0);
   put(c.velocityZ, row, 0);
   put(e.size, row, 0);
+}
+
+// Notes that a row waits to be a particle, until its generation changes.
+function wait(e: Emitter, row: u32): void {
+  putWord(columns().waiting, row, word(e.generations, row) + 1);
 }
 
 // Tests whether the pool still owns the entity of a slot: it may have been removed, and its id reused.
@@ -72,6 +78,7 @@ export function end(e: Emitter, slot: u32): void {
   report(e, row);
   deactivate(e, row);
   nextGeneration(e, slot);
+  wait(e, row);
   let tail = e.freeHead + e.freeCount;
   if (tail >= e.capacity) tail -= e.capacity;
   putWord(e.free, tail, slot);

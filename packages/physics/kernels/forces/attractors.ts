@@ -1,5 +1,5 @@
 // Centres of attraction as a table for the law: src/forces/attractors.ts.
-import { columns, get } from '../memory/columns';
+import { columns, get, isWaiting } from '../memory/columns';
 
 // A centre at the start of the step. All fields are f64 in both precisions.
 @unmanaged
@@ -36,9 +36,10 @@ export function gatherAttractors(ids: usize, count: i32, mu: usize, softening: u
     centre.softeningSquared = soft * soft;
     centre.entity = row;
     const sum = centre.x + centre.y + centre.z + centre.vx + centre.vy + centre.vz + centre.mu + soft;
-    if (sum - sum == 0) continue;
+    const isValid = sum - sum == 0;
+    if (isValid && !isWaiting(row)) continue;
     memory.fill(changetype<usize>(centre), 0, offsetof<Centre>('entity'));
-    invalidCount++;
+    if (!isValid) invalidCount++;
   }
   return invalidCount;
 }

@@ -1,5 +1,5 @@
 // Fixed charges as a table for the law: src/forces/fixed-charges.ts.
-import { columns, get } from '../memory/columns';
+import { columns, get, isWaiting } from '../memory/columns';
 
 // A source at the start of the step: position, charge, and the radius inside which it does not act. f64.
 @unmanaged
@@ -21,7 +21,7 @@ export function gatherCharges(ids: usize, count: i32, charge: usize, sources: us
     const row = load<i32>(ids + ((<usize>i) << 2));
     const q = <f64>get(charge, row);
     // Only bodies without mass are sources; a NaN mass does not qualify.
-    if (get(c.mass, row) != 0 || q == 0) continue;
+    if (get(c.mass, row) != 0 || q == 0 || isWaiting(row)) continue;
     if (q - q != 0) {
       hasInvalid = true;
       continue;

@@ -41,6 +41,9 @@ export class Columns {
   tensorBits: u32;
   // Bytes of a real number: 4 or 8, for kernels that are compiled for both precisions at once.
   realBytes: i32;
+  // The generation of each row; and, in a world with emitters, that of what waits there to be a particle, plus 1.
+  generations: usize;
+  waiting: usize;
 }
 
 // @ts-ignore: decorator
@@ -56,4 +59,12 @@ export class Columns {
 // @ts-ignore: decorator
 @inline export function put(column: usize, row: i32, value: real): void {
   store<real>(column + <usize>row * sizeof<real>(), value);
+}
+
+// Returns whether a row waits in the pool of an emitter. It has a position, but nothing is there.
+// @ts-ignore: decorator
+@inline export function isWaiting(row: i32): bool {
+  const c = columns();
+  const at = (<usize>row) << 2;
+  return c.waiting != 0 && load<u32>(c.waiting + at) == load<u32>(c.generations + at) + 1;
 }

@@ -1,6 +1,6 @@
 // Packs the bodies of a mutual force and scatters its results. Bodies are in ascending id: first the sources, then test
 // particles. Bodies with non-finite values are left out until they are corrected.
-import { columns, get, put } from '../memory/columns';
+import { columns, get, isWaiting, put } from '../memory/columns';
 import { LANES } from '../memory/lanes';
 import { NBody, coincident2 } from './workspace';
 
@@ -67,7 +67,7 @@ function measure(w: NBody, column: usize, required: u32, testBit: u32, rows: i32
     const y = get(c.positionY, row);
     const z = get(c.positionZ, row);
     const s = get(column, row);
-    if (!isFinite3(x, y, z, s)) continue;
+    if (!isFinite3(x, y, z, s) || isWaiting(row)) continue;
     lowX = min<real>(lowX, x);
     lowY = min<real>(lowY, y);
     lowZ = min<real>(lowZ, z);
@@ -112,7 +112,7 @@ function pack(w: NBody, column: usize, required: u32, testBit: u32, expectedTest
     const y = get(c.positionY, row);
     const z = get(c.positionZ, row);
     const s = get(column, row);
-    if (!isFinite3(x, y, z, s)) continue;
+    if (!isFinite3(x, y, z, s) || isWaiting(row)) continue;
     const idAt = w.ids + ((<usize>slot) << 2);
     if (load<u32>(idAt) != row) changed = true;
     store<u32>(idAt, row);

@@ -29,7 +29,7 @@ import {
   parametersOf,
 } from './options.ts';
 import { type BurstPattern, checkPattern } from './pattern.ts';
-import { type Block, layOut, makeBodies, maxBursts, removeBodies, returnBlock, takeBlock } from './pool.ts';
+import { type Block, layOut, makeBodies, maxBursts, poolOf, removeBodies, returnBlock, takeBlock } from './pool.ts';
 import { BURST_BYTES, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
@@ -89,6 +89,8 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
         (maxBursts(capacity) * BURST_BYTES) / 8,
       ),
       endings: undefined,
+      births: undefined,
+      pool: undefined,
       membership: world.versions.membership,
       destroyed: false,
       timeline: world.versions.restored,
@@ -312,6 +314,37 @@ export function endings(emitter: Emitter): Endings {
   internal.endings.count = words[W.endedThisStep];
   return internal.endings;
 }
+
+/** Particles that were born in the last step. */
+export interface Births {
+  readonly count: number;
+  /** Ids in the order of birth; only the first `count` are valid. */
+  readonly ids: Uint32Array;
+}
+
+/**
+ * Returns the particles that were born in the last step, to give them data of your own. A system of the phase `begin` reads
+ * those of its own step before anything moves them. It is the same object on every call, filled by each.
+ * @throws PhysicsError E_STALE, E_DESTROYED
+ */
+export function births(emitter: Emitter): Births {
+  const { words } = recordOf(emitter);
+  const { world, capacity, internal } = emitter;
+  internal.pool ??= poolOf(world.memory, words, capacity);
+  internal.births ??= { count: 0, ids: new Uint32Array(capacity) };
+  const { pool, births: found } = internal;
+  found.count = 0;
+  let slot = words[W.newest];
+  for (let left = words[W.newborns]; left > 0 && slot !== NO_SLOT; left--, slot = pool.older[slot]) {
+    const id = pool.ids[slot];
+    if (pool.generation[slot] === world.internal.generations[id]) found.ids[found.count++] = id;
+  }
+  found.ids.subarray(0, found.count).reverse();
+  return found;
+}
+
+/** Ends the list of the living: NONE of kernels/emitters/pool.ts. */
+const NO_SLOT = 0xffffffff;
 
 /**
  * Removes the emitter and all entities of its pool; during a step, when the step ends. A second call has no effect.

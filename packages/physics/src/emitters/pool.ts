@@ -5,6 +5,8 @@ import { bitOf } from '../components/membership.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { checkFlag } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
+import { writeWaiting } from '../memory/column-table.ts';
+import { wordColumn } from '../memory/columns.ts';
 import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -31,8 +33,16 @@ export interface Block {
 /** Free blocks of destroyed emitters: the world's memory is never released. */
 const idleBlocks = namedResource('idle emitter blocks', (): Block[] => []);
 
+/** The column in which kernels/emitters/pool.ts notes what waits to be a particle. */
+const waitingColumn = namedResource('waiting particles', ({ internal, memory, rows }) => {
+  const [, at] = wordColumn(internal.arena, rows, 'waiting particles');
+  writeWaiting(memory, internal.generations.byteOffset, at);
+  return { at };
+});
+
 /** @throws PhysicsError E_CAPACITY */
 export function takeBlock(world: PhysicsWorld, capacity: number, reports: boolean): Block {
+  waitingColumn(world);
   const freeBlocks = idleBlocks(world);
   const fits = (block: Block) =>
     block.capacity >= capacity && block.capacity <= 2 * capacity + 64 && block.reports === reports;
@@ -76,6 +86,14 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
   words[W.generations] = world.internal.generations.byteOffset;
   words[W.capacity] = capacity;
   words[W.dimensions] = world.dimensions;
+}
+
+/** For each slot: its entity, the generation that the pool owns, and the next older particle. */
+export type PoolLists = Readonly<Record<'ids' | 'generation' | 'older', Uint32Array>>;
+
+export function poolOf({ buffer }: WebAssembly.Memory, words: Uint32Array, capacity: number): PoolLists {
+  const list = (at: number) => new Uint32Array(buffer, words[at], capacity);
+  return { ids: list(W.ids), generation: list(W.generation), older: list(W.older) };
 }
 
 /**

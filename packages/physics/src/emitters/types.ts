@@ -1,7 +1,7 @@
 import type { EntityRef } from '../ecs/entity-ref.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { EmitterParameters } from './options.ts';
-import type { Block } from './pool.ts';
+import type { Block, PoolLists } from './pool.ts';
 
 /** A source of particles and its pool of entities. */
 export interface Emitter {
@@ -23,6 +23,9 @@ export interface EmitterInternals {
   readonly bursts: Float64Array;
   /** The result of `endings`, created on first use; the same object every time. */
   endings: { count: number; readonly ids: Uint32Array; readonly states: Float64Array } | undefined;
+  /** The result of `births`, and the lists that it reads, created on first use. */
+  births: { count: number; readonly ids: Uint32Array } | undefined;
+  pool: PoolLists | undefined;
   /** The membership version of the world at the last check that the pool was complete. */
   membership: number;
   destroyed: boolean;

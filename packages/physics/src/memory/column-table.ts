@@ -27,6 +27,13 @@ export function writeColumnTable(memory: WebAssembly.Memory, at: Addresses, memb
   table[ColumnsWord.tensorBits] = bitOf('AngularVelocity') | bitOf('Orientation') | bitOf('InertiaTensor');
 }
 
+/** Writes the addresses of the generations, and of what waits to be a particle, for the kernels. */
+export function writeWaiting(memory: WebAssembly.Memory, generations: number, waiting: number): void {
+  const table = new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4);
+  table[ColumnsWord.generations] = generations;
+  table[ColumnsWord.waiting] = waiting;
+}
+
 /** Writes the address of the contact table for the kernels. */
 export function writeContactTable(memory: WebAssembly.Memory, at: number): void {
   new Uint32Array(memory.buffer, COLUMN_TABLE, COLUMNS_BYTES / 4)[ColumnsWord.contacts] = at;
