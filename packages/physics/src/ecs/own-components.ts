@@ -1,6 +1,6 @@
 // Custom components whose columns are in the world's memory: laws read them, snapshots save them, and bitECS adds and
 // removes them like built-in components.
-import { observe, onAdd, onRemove, onSet } from 'bitecs';
+import { observe, onAdd, onGet, onRemove, onSet } from 'bitecs';
 import { type ColumnsOf, type ComponentSpec, type FieldSpec, isComponent } from '../components/define.ts';
 import { MAX_OWN_BITS, ownBitAt } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -69,6 +69,10 @@ export function observeOwnComponents(world: PhysicsWorld): void {
       });
     observe(world, onAdd(columns), change(true));
     observe(world, onRemove(columns), change(false));
+    // bitECS asks for the values of a prefab, which it gives to its instances.
+    observe(world, onGet(columns), (eid: number) =>
+      Object.fromEntries(Object.keys(columns).map((field) => [field, columns[field][eid]])),
+    );
     observe(world, onSet(columns), (eid: number, data: unknown) => {
       const values = checkedValues(fields, data, eid);
       whenIdle(world, () => {

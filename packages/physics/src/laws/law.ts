@@ -12,7 +12,7 @@ import {
   rejectUnknown,
 } from './body-symbols.ts';
 import { checkLaw } from './check-law.ts';
-import { Expression, kindOf, type Scalar, type Vector } from './expression.ts';
+import { Expression, kindOf, type Scalar, Vector } from './expression.ts';
 import { type ParameterSymbols, type Parameters, symbolOf } from './parameter.ts';
 import { structureOf } from './structure.ts';
 import { Table, type TableParameter } from './table.ts';
@@ -89,7 +89,7 @@ export function recordLaw(
   const formulas = {
     force: recordFormula<Vector>('force', 'vector'),
     acceleration: recordFormula<Vector>('acceleration', 'vector'),
-    torque: recordFormula<Vector>('torque', 'vector'),
+    torque: axial(recordFormula<Vector>('torque', 'vector')),
     potential: recordFormula<Scalar>('potential', 'scalar'),
   };
   if (formulas.force === undefined && formulas.acceleration === undefined && formulas.torque === undefined) {
@@ -107,6 +107,17 @@ export function recordLaw(
   };
   checkLaw(law);
   return law;
+}
+
+/** What keeps the meaning of a vector. */
+const LINEAR = ['add', 'sub', 'mul', 'div', 'negate', 'select', 'sum', 'rotate'];
+
+/** A torque has a z in two dimensions, and nothing else: where it is made of `vec3`, it is meant to be kept. */
+function axial<V extends Expression | undefined>(torque: V): V {
+  if (!(torque instanceof Vector)) return torque;
+  const { op, args, data } = torque;
+  if (op === 'vec3') return new Vector('axial3', args) as Expression as V;
+  return LINEAR.includes(op) ? (new Vector(op, args.map(axial), data) as Expression as V) : torque;
 }
 
 /** Names of columns: the name of the component if it has one field, otherwise followed by the field. */

@@ -1,4 +1,4 @@
-import { addComponent, hasComponent, removeComponent, removeEntity, set } from 'bitecs';
+import { addComponent, addEntity, addPrefab, hasComponent, IsA, removeComponent, removeEntity, set } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import {
   COMPONENTS,
@@ -32,6 +32,27 @@ function worldWithGlow(precision: 'f32' | 'f64' = 'f64') {
 }
 
 describe('a custom component', () => {
+  test.each(['f32', 'f64'] as const)(
+    'is inherited from a prefab with its values, as built-in ones are, %s',
+    (precision) => {
+      const { world, glow } = worldWithGlow(precision);
+      const { Position, Velocity, Mass } = world.components;
+      const prefab = addPrefab(world);
+      for (const each of [set(Position, { x: 4 }), set(Velocity, { x: 1 }), set(Mass, { value: 3 })]) {
+        addComponent(world, prefab, each);
+      }
+      addComponent(world, prefab, set(glow, { strength: 9 }));
+      const [same, own] = [addEntity(world), addEntity(world)];
+      addComponent(world, same, IsA(prefab));
+      addComponent(world, own, IsA(prefab));
+      addComponent(world, own, set(glow, { strength: 2 }));
+      expect([Mass.value[same], glow.strength[same], glow.strength[own]]).toEqual([3, 9, 2]);
+      // v' = k v / m with k = 9 and m = 3, so v grows by e^(0.003) in a step of 1 ms, of which a step of second order misses 5e-9 and f32 6e-8.
+      step(world, 1e-3);
+      expect(Math.abs(Velocity.x[same] - Math.exp(3e-3))).toBeLessThan(1e-6);
+    },
+  );
+
   test.each(['f32', 'f64'] as const)('drives a law, %s: v′ = k v grows as e^(k t)', (precision) => {
     const { world, glow } = worldWithGlow(precision);
     const [bright, dark] = [1, 2].map(() => spawn(world, { position: {}, velocity: { x: 1 }, mass: 1 }));

@@ -8,6 +8,7 @@ import {
   cos,
   createPhysicsWorld,
   defineLaw,
+  select,
   semiImplicitEuler,
   sin,
   spawn,
@@ -187,5 +188,36 @@ describe('one law in the plane and in space', () => {
     });
     expect(space).toEqual(plane);
     expect(plane[0]).not.toBe(1);
+  });
+});
+
+describe('a torque of vec3 in two dimensions', () => {
+  const made = {
+    plain: () => vec3(0, 0, 2),
+    scaled: () => vec3(1, 1, 1).mul(4).div(2),
+    chosen: ({ position }: BodySymbols) => select(position.x.less(1e9), vec3(0, 0, 2), vec3(0, 0, 0)),
+    ofTheBody: ({ rotate }: BodySymbols) => rotate(vec3(0, 0, 2)),
+    summed: () =>
+      vec3(0, 0, 3)
+        .sub(vec3(0, 0, 1))
+        .add(vec3(5, 5, 0))
+        .negate()
+        .negate(),
+  };
+
+  test.each(Object.entries(made))('turns the body: %s', (name, torque) => {
+    const world = createPhysicsWorld({ forces: [defineLaw({ name, torque })()] });
+    const body = spawn(world, { position: {}, velocity: {}, mass: 1, inertia: 0.5, rotation: 0, angularVelocity: 0 });
+    step(world, 0.25);
+    // T dt / I; powers of two are not rounded.
+    expect(world.components.AngularVelocity.z[body]).toBe(1);
+  });
+
+  test('which has no length in z where it is not the torque itself', () => {
+    const lever = defineLaw({ name: 'lever', torque: () => vec3(1, 0, 7).cross(vec3(0, 2, 9)) });
+    const world = createPhysicsWorld({ forces: [lever()] });
+    const body = spawn(world, { position: {}, velocity: {}, mass: 1, inertia: 0.5, rotation: 0, angularVelocity: 0 });
+    step(world, 0.25);
+    expect(world.components.AngularVelocity.z[body]).toBe(1);
   });
 });
