@@ -17,7 +17,7 @@ export interface SceneParameter {
 export interface SceneOptions {
   /** Number of bodies; the scene's parameter `count` says which bodies. Default the `initial` of that parameter. */
   readonly count?: number;
-  /** Default 2. */
+  /** Default 2; scenes of rigid bodies have no other. */
   readonly dimensions?: 2 | 3;
   /** Default that of the scene, mostly f64. */
   readonly precision?: Precision;

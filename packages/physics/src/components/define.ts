@@ -11,7 +11,7 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly unit: string;
   /** The default value. */
   readonly initial: number;
-  /** The bounds of a value given through the API. */
+  /** The bounds of a value given through the API. Written into a column, only values of components of the package are corrected. */
   readonly bounds: Bounds;
   /** The hint of the error for an invalid value. Default none. */
   readonly hint?: string | undefined;

@@ -15,14 +15,18 @@ export const jointGrid = defineScene({
     const collider = { radius: 0.4, mask: 0 };
     const ids: number[] = [];
     const spin = seededUniforms(seed, edge * edge)(-0.1, 0.1);
+    const isHeld = (column: number) => Math.abs(column - Math.floor(edge / 2)) <= 3 && edge > 1;
     for (let i = 0; i < edge * edge; i++) {
       const [column, row] = [Math.floor(i / edge), i % edge];
       const position = { x: column, y: -row };
-      const held = row === 0 && Math.abs(column - Math.floor(edge / 2)) <= 3 && edge > 1;
+      const held = row === 0 && isHeld(column);
       const moving = { angularVelocity: spin[i], collider: { ...collider, density: 1 } };
       const body = spawn(world, { position, rotation: 0, ...(held ? { collider } : moving) });
       if (row > 0) createJoint(world, revolute({ a: ids[i - 1], b: body, anchor: { x: column, y: 0.5 - row } }));
-      if (column > 0) createJoint(world, revolute({ a: ids[i - edge], b: body, anchor: { x: column - 0.5, y: -row } }));
+      // A hinge between two of those that hang the net would move nothing.
+      const joinsHeld = held && column > 0 && isHeld(column - 1);
+      if (column > 0 && !joinsHeld)
+        createJoint(world, revolute({ a: ids[i - edge], b: body, anchor: { x: column - 0.5, y: -row } }));
       ids.push(body);
     }
     return runOf(world);

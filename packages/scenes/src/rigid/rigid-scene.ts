@@ -1,7 +1,7 @@
-// What the scenes of rigid bodies share. They are arranged as in Box2D's benchmark, in worlds of two dimensions;
-// `dimensions: 3` is ignored.
+// What the scenes of rigid bodies share. They are arranged as in Box2D's benchmark, in worlds of two dimensions.
 import {
   createPhysicsWorld,
+  PhysicsError,
   type PhysicsWorld,
   type PhysicsWorldOptions,
   type Precision,
@@ -28,6 +28,7 @@ export const GRAVITY = 9.80665;
 export const sleeping = { about: '1 lets bodies sleep', unit: '', initial: 1, min: 0, max: 1, integer: true };
 
 export interface WorldSetup {
+  readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly seed: number;
   readonly parameters: { readonly sleeping: number };
@@ -36,13 +37,21 @@ export interface WorldSetup {
 /**
  * @param gravity downward acceleration, m/s²
  * @param more further options of the world
+ * @throws PhysicsError E_RANGE for three dimensions
  */
 export function rigidWorld(
-  { precision, seed, parameters }: WorldSetup,
+  { dimensions, precision, seed, parameters }: WorldSetup,
   capacity: number,
   gravity = GRAVITY,
   more: PhysicsWorldOptions = {},
 ): PhysicsWorld {
+  if (dimensions === 3) {
+    throw new PhysicsError('E_RANGE', 'scenes of rigid bodies have two dimensions, got 3.', {
+      field: 'dimensions',
+      value: dimensions,
+      hint: 'Leave `dimensions` out, or take one of circles, gas and bouncing-balls.',
+    });
+  }
   const integrator = parameters.sleeping === 1 ? {} : { integrator: softStep({ sleepTime: 0 }) };
   return createPhysicsWorld({
     preset: rigidBodies,
