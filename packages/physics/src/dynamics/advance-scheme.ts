@@ -24,7 +24,7 @@ interface SchemeLoops {
 export const schemeLoops = cachedWithPlan((world): SchemeLoops => {
   const scheme = world.integrator.scheme as Scheme;
   const block = new ParameterBlock(world, [scheme], scheme.stages);
-  const memory = schemeMemory(world, scheme).columns;
+  const memory = schemeMemory(world, scheme).kept;
   const sources = cutScheme(new WorldColumns(world, block, () => scheme), scheme, memory);
   const key = JSON.stringify(['pieces', layoutOf(world, block), intermediateColumns(world), memory, scheme.structure]);
   const variant = JSON.stringify(variantOf(scheme));

@@ -9,7 +9,7 @@ import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
 import { rangeTests } from './loop-checks.ts';
 import { notesOf } from './notes.ts';
-import { keptStores, lastStepNodes, type MemoryColumns } from './scheme-memory.ts';
+import { type KeptColumns, keptStores, lowerLastStep } from './scheme-memory.ts';
 import { velocityChange } from './sum-of-laws.ts';
 import type { WorldColumns } from './world-columns.ts';
 
@@ -19,7 +19,7 @@ export const intermediateColumns = namedResource('intermediate columns', ({ scra
 );
 
 /** Builds the arithmetic of the segments of a scheme. */
-export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: MemoryColumns | undefined): LoopSource[] {
+export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: KeptColumns): LoopSource[] {
   const { graph, world } = columns;
   const { addresses, previousAddresses, scratch } = world;
   const stages: { readonly position: Axes; readonly velocity: Axes }[] = [];
@@ -27,8 +27,8 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: MemoryC
   const none = zeroVector(graph);
   const start = { position: columns.axes(addresses.Position), velocity: columns.axes(addresses.Velocity) };
   const vectors: Record<string, Axes> = { ...start };
-  const last = memory && lastStepNodes(columns, memory);
-  last?.memory.forEach((vector, i) => {
+  const last = lowerLastStep(columns, scheme, memory);
+  last.memory.forEach((vector, i) => {
     vectors[`memory${i}`] = vector;
   });
   const lowering = new Lowering(graph, {
@@ -36,7 +36,7 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: MemoryC
     scalars: {
       mass: columns.mass,
       charge: graph.make('real', [], addresses.Charge.value),
-      lastDt: last?.lastDt ?? graph.constant(0),
+      lastDt: last.lastDt,
     },
     kick(position, velocity, duration, { stage }: StageData) {
       stages[stage] = { position, velocity };
@@ -51,7 +51,6 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: MemoryC
   });
   const end = { position: lowering.vector(scheme.position), velocity: lowering.vector(scheme.velocity) };
   const memoryVectors = scheme.memory.map((vector) => lowering.vector(vector));
-  const kept = memory && last ? keptStores(columns, memory, last.body, memoryVectors) : [];
   const storesTo = (to: Readonly<Record<'x' | 'y' | 'z', number>>, values: Axes): Store[] =>
     columns.axisNames.map((axis, i) => ({ address: to[axis], node: values[i] }));
   const saved = [
@@ -62,7 +61,7 @@ export function cutScheme(columns: WorldColumns, scheme: Scheme, memory: MemoryC
     ...storesTo(addresses.Position, position),
     ...storesTo(addresses.Velocity, velocity),
     ...(p > 0 ? [] : saved),
-    ...(p < stages.length ? [] : kept),
+    ...(p < stages.length ? [] : keptStores(columns, memory, last.body, memoryVectors)),
   ]);
   return cut(
     columns,

@@ -50,7 +50,7 @@ export const stepLoop = cachedWithPlan((world): StepLoop => {
     box: (fusion.walls as BoxSystem | undefined)?.box,
     list: fusion.walls === undefined ? 0 : wallList(world).at,
     recordsContacts,
-    memory: schemeMemory(world, scheme).columns,
+    memory: schemeMemory(world, scheme).kept,
   };
   const sources = [...owners.values()].map(variantOf);
   const key = JSON.stringify([

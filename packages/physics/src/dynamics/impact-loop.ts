@@ -72,7 +72,7 @@ function impactLoopSource(
     velocity: columns.axes(stage2),
     duration: columns.graph.make('real', [], force.x),
   };
-  const { position, velocity } = lowerScheme(columns, scheme, laws, undefined, start).result;
+  const { position, velocity } = lowerScheme(columns, scheme, laws, { vectors: [], body: undefined }, start).result;
   const stores = columns.axisNames.flatMap((axis, i): Store[] => [
     { address: stage1[axis], node: position[i] },
     { address: stage2[axis], node: velocity[i] },

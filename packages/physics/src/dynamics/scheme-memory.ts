@@ -1,30 +1,28 @@
-// State that a scheme keeps between steps: vectors of each body, whose they are, and the length of the step.
-//
-// A row keeps its vectors when its body is removed. So that no later body of the row starts with them, the row also keeps the
-// number of its body: the generation, plus 1, or 0 if it had no body that forces move.
+// State that a scheme keeps between steps: vectors of each body, and the length of the step.
 
+import type { LastStep, LastStepOf } from '../laws/last-step.ts';
 import type { Store } from '../laws/loop-source.ts';
 import type { Node } from '../laws/node.ts';
-import { type Axes, eachAxis } from '../laws/vector-algebra.ts';
+import type { Axes } from '../laws/vector-algebra.ts';
 import { allocateTogether } from '../memory/arena.ts';
 import { type AxisAddresses, axisColumns, realColumn } from '../memory/columns.ts';
 import { namedResource } from '../memory/resource.ts';
 import type { PhysicsWorld, Scheme } from '../world/types.ts';
 import type { WorldColumns } from './world-columns.ts';
 
-/** Columns that a scheme keeps between steps. */
-export interface MemoryColumns {
-  readonly vectors: readonly Readonly<AxisAddresses>[];
-  /** The number of the body whose vectors they are, unless the scheme finds out by itself. */
-  readonly body: number | undefined;
-}
-
 /** Columns that a scheme keeps between steps, and the length of the last step. */
 export interface SchemeMemory {
-  readonly columns: MemoryColumns | undefined;
+  readonly kept: KeptColumns;
   tick: number;
   dt: number;
   last: number;
+}
+
+/** The columns. */
+export interface KeptColumns {
+  readonly vectors: readonly Readonly<AxisAddresses>[];
+  /** The column with the numbers of bodies, of a scheme that tells them apart. */
+  readonly body: number | undefined;
 }
 
 const memories = namedResource('scheme memories', (): Map<string, SchemeMemory> => new Map());
@@ -34,12 +32,11 @@ export function schemeMemory(world: PhysicsWorld, scheme: Scheme): SchemeMemory 
   if (existing !== undefined) return existing;
   const { internal, kernels, precision, rows } = world;
   const { arena } = internal;
-  const allocateColumns = (): MemoryColumns => ({
+  const kept = allocateTogether(arena, kernels.findPage, () => ({
     vectors: scheme.memory.map((_, i) => axisColumns(arena, precision, rows, `memory ${i}`)[1]),
-    body: scheme.findsNewBodies ? undefined : realColumn(arena, precision, rows, 'bodies of the memory')[1],
-  });
-  const columns = scheme.memory.length === 0 ? undefined : allocateTogether(arena, kernels.findPage, allocateColumns);
-  const made = { columns, tick: -1, dt: 0, last: 0 };
+    body: scheme.lastStep && realColumn(arena, precision, rows, 'bodies of the memory')[1],
+  }));
+  const made = { kept, tick: -1, dt: 0, last: 0 };
   memories(world).set(scheme.structure, made);
   return made;
 }
@@ -56,43 +53,26 @@ export function lastStepOf(world: PhysicsWorld, scheme: Scheme, dt: number): num
   return memory.last;
 }
 
-/** What a scheme knows of the last step of a body. */
-export interface LastStep {
-  /** Its length, or 0 if forces did not move the body in the world's last step with this scheme. */
-  readonly lastDt: Node;
-  /** The vectors that it left, or zeros. */
-  readonly memory: readonly Axes[];
-  /** What the row keeps beside them. */
-  readonly body: Node | undefined;
-}
-
-/** Lowers the last step of a body. */
-export function lastStepNodes(columns: WorldColumns, { vectors, body }: MemoryColumns): LastStep {
+/** Lowers what a scheme knows of the last step. */
+export function lowerLastStep(columns: WorldColumns, { lastStep }: Scheme, memory: KeptColumns): LastStep {
   const { graph, world, block } = columns;
-  if (body === undefined) {
-    return { lastDt: columns.load(block.lastDt), memory: vectors.map((at) => columns.axes(at)), body: undefined };
-  }
+  const column = (address: number) => graph.make('real', [], address);
+  const kept = { lastDt: columns.load(block.lastDt), memory: memory.vectors.map((at) => columns.axes(at)) };
+  const body = column(memory.body ?? 0);
+  if (lastStep === undefined) return { ...kept, body };
   const generation = graph.make('word', [], world.internal.generations.byteOffset);
-  const present = graph.make('add', [generation, graph.constant(1)]);
-  const isSame = graph.make('equal', [graph.make('real', [], body), present]);
-  const lastDt = graph.make('keep', [isSame, columns.load(block.lastDt)]);
-  const hasLast = graph.make('less', [graph.constant(0), lastDt]);
-  const memory = vectors.map((at) => {
-    const kept = columns.axes(at);
-    return eachAxis((i) => graph.make('keep', [hasLast, kept[i]]));
-  });
-  return { lastDt, memory, body: graph.make('keep', [columns.isMovable, present]) };
+  return (lastStep as LastStepOf)({ graph, ...kept, body, generation, isMovable: columns.isMovable });
 }
 
 /** What a loop stores for the next step. */
 export function keptStores(
-  columns: WorldColumns,
-  at: MemoryColumns,
-  body: LastStep['body'],
+  { axisNames }: WorldColumns,
+  at: KeptColumns,
+  body: Node,
   vectors: readonly Axes[],
 ): Store[] {
   const stores = vectors.flatMap((vector, v) =>
-    columns.axisNames.map((axis, i) => ({ address: at.vectors[v][axis], node: vector[i] })),
+    axisNames.map((axis, i) => ({ address: at.vectors[v][axis], node: vector[i] })),
   );
-  return at.body === undefined || body === undefined ? stores : [...stores, { address: at.body, node: body }];
+  return at.body === undefined ? stores : [...stores, { address: at.body, node: body }];
 }

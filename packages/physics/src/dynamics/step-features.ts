@@ -1,7 +1,7 @@
 import type { Store } from '../laws/loop-source.ts';
 import type { Axes } from '../laws/vector-algebra.ts';
 import type { AxisAddresses } from '../memory/columns.ts';
-import type { MemoryColumns } from './scheme-memory.ts';
+import type { KeptColumns } from './scheme-memory.ts';
 
 /** An axis-aligned box; a coordinate beyond `FAR` means no wall. */
 export interface Box {
@@ -25,7 +25,7 @@ export interface StepFeatures {
   /** Bodies near a wall are listed, too, and resting ones are left to the kernel, which records their contacts. */
   readonly recordsContacts: boolean;
   /** Columns that the scheme keeps between steps. */
-  readonly memory: MemoryColumns | undefined;
+  readonly memory: KeptColumns;
 }
 
 /** The state after a step. */

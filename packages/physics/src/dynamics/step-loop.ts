@@ -1,6 +1,5 @@
 // A whole step as one loop: the integrator with all laws in its stages, the saved pose for interpolation, the checks of
 // the result and the test for box walls.
-import type { Vector } from '../laws/expression.ts';
 import type { LoopSource, Store } from '../laws/loop-source.ts';
 import { Lowering } from '../laws/lower.ts';
 import type { Node } from '../laws/node.ts';
@@ -10,7 +9,7 @@ import type { Scheme } from '../world/types.ts';
 import { checksOf } from './loop-checks.ts';
 import { notesOf } from './notes.ts';
 import type { ParameterBlock, ParameterOwner } from './parameter-block.ts';
-import { keptStores, lastStepNodes } from './scheme-memory.ts';
+import { keptStores, lowerLastStep } from './scheme-memory.ts';
 import type { Result, StepFeatures } from './step-features.ts';
 import { type LawForce, ownerOf, type Sum, sumLaws, velocityChange } from './sum-of-laws.ts';
 import { WorldColumns } from './world-columns.ts';
@@ -76,8 +75,8 @@ export function lowerScheme(
   const none = zeroVector(graph);
   const sums: Sum[] = [];
   const vectors: Record<string, Axes> = { position, velocity };
-  const last = memory && lastStepNodes(columns, memory);
-  last?.memory.forEach((vector, i) => {
+  const last = lowerLastStep(columns, scheme, memory);
+  last.memory.forEach((vector, i) => {
     vectors[`memory${i}`] = vector;
   });
   const lowering = new Lowering(graph, {
@@ -86,7 +85,7 @@ export function lowerScheme(
     scalars: {
       mass: columns.mass,
       charge: graph.make('real', [], world.addresses.Charge.value),
-      lastDt: last?.lastDt ?? graph.constant(0),
+      lastDt: last.lastDt,
     },
     kick(at, moving, during, { stage, fraction }) {
       const time = columns.timeAt(fraction);
@@ -103,11 +102,15 @@ export function lowerScheme(
       return velocityChange(columns, sums[stage], during);
     },
   });
-  const vectorOf = (vector: Vector) => lowering.vector(vector);
   const result = {
     position: lowering.vector(scheme.position),
     velocity: lowering.vector(scheme.velocity),
-    kept: memory && last ? keptStores(columns, memory, last.body, scheme.memory.map(vectorOf)) : [],
+    kept: keptStores(
+      columns,
+      memory,
+      last.body,
+      scheme.memory.map((vector) => lowering.vector(vector)),
+    ),
   };
   return { result, torque: sums.at(-1)?.torque ?? none };
 }

@@ -44,7 +44,7 @@ export const positionVerlet = /* @__PURE__ */ defineIntegrator(
     return { position: after, velocity: estimate, memory: [step, after, estimate] };
   },
   // Per body: the last displacement, and position and velocity at the end of its last step.
-  { memory: 3, findsNewBodies: true },
+  { memory: 3 },
 );
 
 function eachAxis(make: (axis: 'x' | 'y' | 'z') => Scalar): Vector {

@@ -109,15 +109,11 @@ export function recordLaw(
   return law;
 }
 
-/** What keeps the meaning of a vector. */
-const LINEAR = ['add', 'sub', 'mul', 'div', 'negate', 'select', 'sum', 'rotate'];
-
-/** A torque has a z in two dimensions, and nothing else: where it is made of `vec3`, it is meant to be kept. */
+/** A torque has a z in two dimensions, and nothing else: in what it is made of, other than products of vectors, `vec3` keeps it. */
 function axial<V extends Expression | undefined>(torque: V): V {
-  if (!(torque instanceof Vector)) return torque;
+  if (torque?.shape !== 'vector' || torque.op === 'cross') return torque;
   const { op, args, data } = torque;
-  if (op === 'vec3') return new Vector('axial3', args) as Expression as V;
-  return LINEAR.includes(op) ? (new Vector(op, args.map(axial), data) as Expression as V) : torque;
+  return new Vector(op === 'vec3' ? 'axial3' : op, args.map(axial), data) as Expression as V;
 }
 
 /** Names of columns: the name of the component if it has one field, otherwise followed by the field. */

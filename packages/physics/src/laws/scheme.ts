@@ -50,18 +50,13 @@ export interface StageData {
 export interface SchemeOptions {
   /** Number of vectors that the scheme keeps for each body between steps. Default 0. */
   readonly memory?: number;
-  /**
-   * Whether the scheme itself finds out by its vectors that a body is new, whose vectors and `lastDt` are then those that
-   * its row has: it saves a column, about a tenth of the step of a cheap scheme. Default false.
-   */
-  readonly findsNewBodies?: boolean;
   readonly parameters?: readonly Parameter[];
   readonly sources?: readonly ParameterSource[];
 }
 
 /** Records a step. @throws PhysicsError E_TYPE if a method gets an argument of the wrong type */
 export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}): Scheme {
-  const { memory = 0, findsNewBodies = false, parameters = [], sources = [] } = options;
+  const { memory = 0, parameters = [], sources = [] } = options;
   const stages: number[] = [];
   const kick: Kick = (position, velocity, fraction, duration) => {
     const data: StageData = { stage: stages.length, fraction };
@@ -94,6 +89,6 @@ export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}):
     velocity,
     ...Object.fromEntries(memoryVectors.map((vector, i) => [`memory${i}`, vector])),
   };
-  const structure = `${structureOf(parameters, formulas)};${stages}${findsNewBodies ? ';finds new bodies' : ''}`;
-  return { structure, position, velocity, memory: memoryVectors, findsNewBodies, stages, parameters, sources };
+  const structure = `${structureOf(parameters, formulas)};${stages}`;
+  return { structure, position, velocity, memory: memoryVectors, stages, parameters, sources };
 }

@@ -124,7 +124,8 @@ export interface Scheme {
   readonly position: Vector;
   readonly velocity: Vector;
   readonly memory: readonly Vector[];
-  readonly findsNewBodies: boolean;
+  /** Of a scheme whose rows tell bodies apart: a `LastStepOf` of laws/last-step.ts. Default none. */
+  readonly lastStep?: ((left: never) => object) | undefined;
   /** Fractions of the step at which the forces are evaluated, in order. */
   readonly stages: readonly number[];
   readonly parameters: readonly Parameter[];
@@ -135,9 +136,8 @@ export interface Scheme {
 export type EvaluateForces = (world: PhysicsWorld, ranges: Ranges, time: number) => void;
 
 /**
- * A scheme that advances positions and velocities by one step. It owns the step and requests force evaluations. The
- * state at the start is in `world.previousAddresses.Position` and `world.scratch.at.startVelocity`; `stage1` and
- * `stage2` of the scratch are free.
+ * A scheme that advances positions and velocities by one step. The state at the start is in
+ * `world.previousAddresses.Position` and `world.scratch.at.startVelocity`; `stage1` and `stage2` are free.
  */
 export interface Integrator {
   readonly name: string;
@@ -159,10 +159,7 @@ export interface Integrator {
    * Springs check it before the step; without this function they do not check.
    */
   isStable?(stiffness: number, damping: number): boolean;
-  /**
-   * Returns the angular frequency of contacts in steps of `dt`, rad/s, where they are springs. Without this function contacts are
-   * rigid, or there are none.
-   */
+  /** Returns the angular frequency of contacts that are springs, in steps of `dt`, rad/s. Without it they are rigid, if any. */
   contactAngularFrequency?(dt: number): number;
   /** Number of real columns that the scheme allocates; a world created with it reserves memory for them. Default 0. */
   readonly columns?: number;

@@ -1,4 +1,5 @@
 import { checkFunction } from '../../errors/validate.ts';
+import { lastStepOfBody } from '../../laws/last-step.ts';
 import { recordScheme, type SchemeFunction, type SchemeOptions } from '../../laws/scheme.ts';
 import type { Integrator, Scheme } from '../../world/types.ts';
 
@@ -14,9 +15,11 @@ type Facts = Omit<Integrator, 'scheme' | 'advance'>;
 export function defineCheckedIntegrator(facts: Facts, step: SchemeFunction, options?: SchemeOptions): Integrator {
   checkFunction(step, 'defineIntegrator: step');
   const scheme = recordScheme(step, options);
+  if (scheme.memory.length === 0) return { ...facts, scheme };
   // Three columns for each vector, and one that says whose they are.
-  const columns = facts.columns ?? (scheme.memory.length > 0 ? 3 * scheme.memory.length + 1 : 0);
-  return { ...facts, columns, scheme };
+  const columns = facts.columns ?? 3 * scheme.memory.length + 1;
+  const structure = `${scheme.structure};of bodies`;
+  return { ...facts, columns, scheme: { ...scheme, structure, lastStep: lastStepOfBody } };
 }
 
 /**
