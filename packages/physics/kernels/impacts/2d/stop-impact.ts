@@ -1,6 +1,7 @@
 // Stops the approach of one contact: impulses x >= 0 in all, so that w = K x + b >= 0 and x w = 0, where b are the speeds without
 // them. Both points of a contact at once: one after the other would be unequal although they are alike, and a box that
-// falls flat would bounce askew. The points of a pair of contacts likewise. Source: Catto, Iterative Dynamics with Temporal Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
+// falls flat would bounce askew. The points of a pair of contacts likewise. Source: Catto, Iterative Dynamics with Temporal
+// Coherence (GDC 2005); b2SolveContact of Box2D 2.4.
 import * as block from '../../solver/2d/contact-block';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, ImpactPoint, applyNormalImpulse, excessAt, impactAt, pointOf } from './impact';

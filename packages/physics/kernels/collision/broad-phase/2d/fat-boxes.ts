@@ -91,9 +91,8 @@ export function updateBoxes(t: RigidTable): void {
 }
 
 // The box of what flies reaches as far as it may move in this step, where that is further than its margin: contacts see it
-// coming (far-points.ts). What touched something
-// in the last step is left out, for the margins of heaps that move would be filled with pairs, and so is what moves by more
-// than a few times its extent, whose box would be in the way of all others.
+// coming (far-points.ts). What touched something in the last step is left out, for the margins of heaps that move would be
+// filled with pairs, and so is what moves by more than a few times its extent, whose box would be in the way of all others.
 function addMotion(t: RigidTable, row: i32): void {
   const body = bodyOf(t, row);
   if (word(t.usedColors, body) != 0) return;
