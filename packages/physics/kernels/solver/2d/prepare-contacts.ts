@@ -4,7 +4,7 @@ import { clearRecord } from '../../memory/records';
 import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
 import { FAST_POINT, FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
-import { BodyPose, LOCKED, MOVES, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { BodyPose, DYNAMIC, LOCKED, MOVES, ROUND, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
 import * as block from './contact-block';
 import { noteDepth } from './crowds';
@@ -101,9 +101,7 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, b.inverseInertia, block.INERTIA_B);
   store<real>(lane, b.x - a.x, block.APART_X);
   store<real>(lane, b.y - a.y, block.APART_Y);
-  const share = shareOf(contact, a.inverseMass + b.inverseMass);
-  store<real>(lane, share * b.inverseMass, block.SHARE_A);
-  store<real>(lane, share * a.inverseMass, block.SHARE_B);
+  setShares(t, contact, lane, a.inverseMass, b.inverseMass);
   store<real>(lane, contact.nx, block.NX);
   store<real>(lane, contact.ny, block.NY);
   store<real>(lane, contact.friction, block.FRICTION);
@@ -114,11 +112,30 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
 }
 
-// The share per inverse mass of the other body.
+// A disc is pressed where it is round, and the lever of what is none follows alone.
 // @ts-ignore: decorator
-@inline function shareOf(contact: RigidContact, inverseMass: real): real {
-  if ((contact.flags & FORESEEN) != 0 || contact.restitution != 0) return 0;
-  return inverseMass > 0 ? 1 / inverseMass : 0;
+@inline function setShares(
+  t: RigidTable,
+  contact: RigidContact,
+  lane: usize,
+  inverseA: real,
+  inverseB: real,
+): void {
+  let shareA: real = 0;
+  let shareB: real = 0;
+  if ((contact.flags & FORESEEN) == 0 && contact.restitution == 0 && inverseA + inverseB > 0) {
+    const discA = isMovingDisc(t, contact.bodyA);
+    const discB = isMovingDisc(t, contact.bodyB);
+    shareA = discA == discB ? inverseB / (inverseA + inverseB) : discA ? <real>0 : <real>1;
+    shareB = 1 - shareA;
+  }
+  store<real>(lane, shareA, block.SHARE_A);
+  store<real>(lane, shareB, block.SHARE_B);
+}
+
+// @ts-ignore: decorator
+@inline function isMovingDisc(t: RigidTable, body: i32): bool {
+  return (flagsOf(t, body) & (ROUND | DYNAMIC)) == (ROUND | DYNAMIC);
 }
 
 // The least inverse mass along a direction where no body is free to move along all: a part of what they have along the axes
