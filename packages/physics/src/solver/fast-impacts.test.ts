@@ -81,6 +81,15 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     }
   });
 
+  /** A world in which slow impacts bounce, too. */
+  const slowWorld = () =>
+    createPhysicsWorld({
+      preset: rigidBodies,
+      precision,
+      capacity: 10,
+      integrator: softStep({ restitutionThreshold: 0.01 }),
+    });
+
   // Two discs meet where the surfaces are 0.1 mm apart, so that the line of centres is turned by as much as it will turn until they touch.
   const early = (b: number, radii: number) => Math.asin(Math.abs(b) / radii) - Math.asin(Math.abs(b) / (radii + 1e-4));
 
@@ -90,12 +99,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       const r = 0.02625;
       for (let k = 0; k < 40; k++) {
         const b = ((k % 20) - 9.5) * 0.09 * 2 * r;
-        const world = createPhysicsWorld({
-          preset: rigidBodies,
-          precision,
-          capacity: 10,
-          integrator: softStep({ restitutionThreshold: 0.01 }),
-        });
+        const world = slowWorld();
         const { Velocity } = world.components;
         const collider = { radius: r, restitution: 0.95, friction: 0 } as const;
         const start = -0.2 - ((speed / rate) * (k % 13)) / 13;
@@ -113,12 +117,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     for (const r of [0.05, 0.1, 0.15]) {
       for (let k = 0; k < 20; k++) {
         const b = (0.5 + 0.4 * (k % 2)) * 2 * r;
-        const world = createPhysicsWorld({
-          preset: rigidBodies,
-          precision,
-          capacity: 10,
-          integrator: softStep({ restitutionThreshold: 0.01 }),
-        });
+        const world = slowWorld();
         const { Velocity } = world.components;
         const collider = { radius: r, restitution: 1 };
         const start = -2 * r - 0.1 - ((speed / 60) * k) / 20;

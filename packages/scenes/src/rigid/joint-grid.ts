@@ -23,7 +23,7 @@ export const jointGrid = defineScene({
       const moving = { angularVelocity: spin[i], collider: { ...collider, density: 1 } };
       const body = spawn(world, { position, rotation: 0, ...(held ? { collider } : moving) });
       if (row > 0) createJoint(world, revolute({ a: ids[i - 1], b: body, anchor: { x: column, y: 0.5 - row } }));
-      // A hinge between two of those that hang the net would move nothing.
+      // A hinge between two bodies that hold the net would move nothing.
       const joinsHeld = held && column > 0 && isHeld(column - 1);
       if (column > 0 && !joinsHeld)
         createJoint(world, revolute({ a: ids[i - edge], b: body, anchor: { x: column - 0.5, y: -row } }));

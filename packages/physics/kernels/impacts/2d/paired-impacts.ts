@@ -9,7 +9,7 @@ import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, impactAt, pointOf } from './impact';
 
-// Pairs the impacts of the list of those that are struck. The fastest approach by row is not needed any more then.
+// Pairs the impacts in t.struck. The fastest approach by row is no longer needed then, and its list is used for the indices.
 export function pairStruck(t: RigidTable): void {
   for (let i = 0; i < t.struckCount; i++) put(t.fastest, moverOf(impactAt(t, word(t.struck, i))), 0);
   for (let i = 0; i < t.struckCount; i++) {

@@ -7,8 +7,8 @@
 // so that a ball in a bowl gained g dt / 2R of its speed in a second, and one on a ball lost it. The normal of the middle leaves
 // an error of second order.
 //
-// Two discs that press each other as they go round lost what they had of angular momentum likewise. Their impulses act at the
-// beginnings of the sub-steps, of which (dt - h)/2 is the mean.
+// Two discs that press each other as they go round lost angular momentum for the same reason. Their impulses act at the beginnings
+// of the sub-steps, of which (dt - h)/2 is the mean.
 import { DYNAMIC, FAST, MOVES, flagsOf, poseOf, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { CIRCLE, Shape } from '../../shapes/2d/shape';
