@@ -5,15 +5,33 @@ import { assertUsable } from './guards.ts';
 /** Ranges separated by fewer blocks are joined: processing empty rows costs less than another call. */
 const JOIN_BLOCKS = 8;
 
-/** Updates `world.ranges` and `world.ids` if the component bits changed. */
+/** Updates `world.ranges` and `world.ids` if the component bits changed, or rows were left out. */
 export function refreshRanges(world: PhysicsWorld): void {
-  if (world.internal.rangesVersion === world.versions.membership) return;
   const { kernels, internal } = world;
-  const bodies = bitOf('Position');
-  const rows = Math.ceil((world.lastId + 1) / 16) * 16;
-  world.ranges.count = kernels.buildRanges(internal.membersAt, bodies, rows, JOIN_BLOCKS, internal.rangesAt);
-  internal.bodyList.count = kernels.collectEntities(internal.membersAt, bodies, world.lastId + 1, internal.idsAt);
+  const isCurrent = internal.rangesVersion === world.versions.membership;
+  if (isCurrent && !internal.leavesOutWaiting) return;
+  buildRanges(world, false);
+  if (isCurrent) return;
+  const { membersAt, idsAt } = internal;
+  internal.bodyList.count = kernels.collectEntities(membersAt, bitOf('Position'), world.lastId + 1, idsAt);
   internal.rangesVersion = world.versions.membership;
+}
+
+/**
+ * Takes rows out of `world.ranges` for the rest of the step in which entities wait in the pool of an emitter and nothing
+ * else is: laws would be computed for all of them.
+ */
+export function leaveOutWaiting(world: PhysicsWorld): void {
+  buildRanges(world, true);
+}
+
+function buildRanges(world: PhysicsWorld, leavesOutWaiting: boolean): void {
+  const { kernels, internal, ranges } = world;
+  const { membersAt, rangesAt } = internal;
+  const rows = Math.ceil((world.lastId + 1) / 16) * 16;
+  const bodies = bitOf('Position');
+  ranges.count = kernels.buildRanges(membersAt, bodies, rows, JOIN_BLOCKS, rangesAt, leavesOutWaiting ? 1 : 0);
+  internal.leavesOutWaiting = leavesOutWaiting;
 }
 
 /** Returns a function that applies `run` to every range of rows; for systems and integrators. */

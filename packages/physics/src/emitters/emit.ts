@@ -1,6 +1,7 @@
 // The system of the `emit` phase.
 import { removeComponent } from 'bitecs';
 import { bitOf } from '../components/membership.ts';
+import { leaveOutWaiting } from '../ecs/ranges.ts';
 import type { MemoryRecord } from '../memory/record.ts';
 import { namedResource } from '../memory/resource.ts';
 import { nameSystem } from '../world/name-system.ts';
@@ -18,9 +19,17 @@ import type { Emitter } from './types.ts';
  */
 export const emittersOf = namedResource('emitters', () => ({ list: [] as Emitter[], made: 0 }));
 
+/**
+ * Finding the rows that wait takes as long as gravity for half of them. Where most of the particles are there, it would not
+ * pay.
+ */
+const MOSTLY_IN_USE = 0.5;
+
 /** Ages particles of all emitters, ends those whose life is over and creates new ones. */
 export const emitParticles = /* @__PURE__ */ nameSystem('emit particles', (world: PhysicsWorld, dt: number) => {
   const { list } = emittersOf(world);
+  let room = 0;
+  let alive = 0;
   for (let i = 0; i < list.length; i++) {
     const emitter = list[i];
     const { record } = emitter.internal.block;
@@ -37,7 +46,10 @@ export const emitParticles = /* @__PURE__ */ nameSystem('emit particles', (world
     // The previous pose of a new particle is its position of birth, which changes the previous-pose column.
     if (record.numbers[N.born] !== born) world.versions.pose++;
     if (world.internal.counts.Quarantined > 0) clearQuarantine(world, emitter);
+    room += record.words[W.capacity];
+    alive += record.words[W.alive];
   }
+  if (alive < MOSTLY_IN_USE * room) leaveOutWaiting(world);
 });
 
 /** Computes the inherited velocity: the emitter's displacement since the last step over the time. */

@@ -121,12 +121,15 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
  */
 export function dropIncomplete(world: PhysicsWorld, { words }: MemoryRecord): void {
   const { buffer } = world.memory;
+  const waiting = new Uint32Array(buffer, waitingColumn(world).at, world.rows);
   const { members } = world.internal;
   const capacity = words[W.capacity];
   const ids = new Uint32Array(buffer, words[W.ids], capacity);
   const ownGenerations = new Uint32Array(buffer, words[W.generation], capacity);
   for (let slot = 0; slot < capacity; slot++) {
-    if ((members[ids[slot]] & WRITTEN) !== WRITTEN) ownGenerations[slot] = NO_GENERATION;
+    if ((members[ids[slot]] & WRITTEN) === WRITTEN) continue;
+    ownGenerations[slot] = NO_GENERATION;
+    waiting[ids[slot]] = 0;
   }
 }
 

@@ -27,6 +27,7 @@ export interface Scalars {
   tick: number;
   lastId: number;
   rangesVersion: number;
+  leavesOutWaiting: boolean;
   sweptRows: number;
   firstGeneration: number;
   recordsContacts: boolean;
@@ -227,6 +228,7 @@ const NO_SCALARS: Readonly<Scalars> = {
   tick: 0,
   lastId: 0,
   rangesVersion: 0,
+  leavesOutWaiting: false,
   sweptRows: 0,
   firstGeneration: 0,
   recordsContacts: false,
@@ -238,6 +240,7 @@ function copyScalars(into: Scalars, world: PhysicsWorld, internal: PhysicsWorld[
   into.tick = world.tick;
   into.lastId = internal.lastId;
   into.rangesVersion = internal.rangesVersion;
+  into.leavesOutWaiting = internal.leavesOutWaiting;
   into.sweptRows = internal.sweptRows;
   into.firstGeneration = internal.firstGeneration;
   into.recordsContacts = internal.recordsContacts;

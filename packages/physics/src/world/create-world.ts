@@ -225,6 +225,7 @@ function initialInternals(components: Components) {
     warned: new Set(),
     reviewed: { plan: undefined, membership: -1, stepsAgo: 0 },
     rangesVersion: -1,
+    leavesOutWaiting: false,
     sweptRows: 0,
     heldForces: new Set<Force>(),
   };

@@ -255,7 +255,7 @@ export interface Profile {
 
 /**
  * Rows to process: ascending ranges [first, last) of whole 16-row blocks. Rows in a range without a body hold zeros,
- * which every kernel leaves unchanged.
+ * which every kernel leaves unchanged. After the phase `emit` there are none where entities only wait to be a particle.
  */
 export interface Ranges {
   /** Pairs of first, last. */
@@ -389,6 +389,8 @@ export interface WorldInternals {
   /** The value of `world.lastId`. */
   lastId: number;
   rangesVersion: number;
+  /** Whether `world.ranges` leave out what waits to be a particle, as they do after the phase `emit`. */
+  leavesOutWaiting: boolean;
   /** Number of rows in use, rounded up to whole blocks. */
   sweptRows: number;
   plan: Plan | undefined;
