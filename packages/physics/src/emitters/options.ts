@@ -74,6 +74,10 @@ export interface EmitterOptions extends EmitterParameters {
   readonly linearDrag?: number;
   /** Coefficient of quadratic drag, kg/m. Default none. */
   readonly quadraticDrag?: number;
+  /** Electric charge of a particle, C. Default none. */
+  readonly charge?: number;
+  /** Factor of the acceleration by `uniformGravity()`, negative for smoke that rises. Default 1. */
+  readonly gravityScale?: number;
   /** A round collider for living particles. Default none. */
   readonly collider?: {
     readonly radius: number;
@@ -114,6 +118,8 @@ const FIXED = [
   'whenFull',
   'linearDrag',
   'quadraticDrag',
+  'charge',
+  'gravityScale',
   'collider',
   'testParticle',
   'shape',

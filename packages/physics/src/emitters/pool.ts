@@ -101,7 +101,7 @@ export function poolOf({ buffer }: WebAssembly.Memory, words: Uint32Array, capac
  * @throws PhysicsError as `spawnMany`
  */
 export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32Array {
-  const { collider, linearDrag, quadraticDrag, shape = 0, capacity, testParticle } = options;
+  const { collider, linearDrag, quadraticDrag, charge, gravityScale, shape = 0, capacity, testParticle } = options;
   const ids = spawnMany(world, capacity, {
     position: {},
     velocity: {},
@@ -110,6 +110,8 @@ export function makeBodies(world: PhysicsWorld, options: EmitterOptions): Uint32
     collider,
     linearDrag,
     quadraticDrag,
+    charge,
+    gravityScale,
     testParticle: checkFlag(testParticle, 'testParticle') ? {} : undefined,
   });
   return ids.sort();
