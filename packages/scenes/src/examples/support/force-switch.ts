@@ -9,10 +9,15 @@ export interface ForceSwitch {
 export function addSwitch(world: PhysicsWorld, force: Force, isOn = false): ForceSwitch {
   const state = { isOn };
   keepState(world, state);
+  listWhile(world, force, () => state.isOn);
+  return state;
+}
+
+/** Lists the force of the world in steps at whose start `isOn` holds. */
+export function listWhile(world: PhysicsWorld, force: Force, isOn: () => boolean): void {
   world.phases.input.push(() => {
     const index = world.forces.indexOf(force);
-    if (state.isOn && index < 0) world.forces.push(force);
-    if (!state.isOn && index >= 0) world.forces.splice(index, 1);
+    if (isOn() && index < 0) world.forces.push(force);
+    if (!isOn() && index >= 0) world.forces.splice(index, 1);
   });
-  return state;
 }

@@ -10,6 +10,7 @@ import {
   spawn,
 } from '@principia/physics';
 import { COLORS, type Color, type Line, type Point } from '../picture.ts';
+import { listWhile } from './force-switch.ts';
 import { cubeEdges, type Point3, pointOn } from './space.ts';
 
 /** The torque is on for this time without a key, s. */
@@ -50,11 +51,7 @@ export function turningCube({ torque, drag, inertia, pushTime, forces = [], inte
   const switches = { byKey: false };
   keepState(world, switches);
   const isOn = () => switches.byKey || world.time < pushTime - CUBE_DT / 2;
-  world.phases.input.push(() => {
-    const index = world.forces.indexOf(push);
-    if (isOn() && index < 0) world.forces.push(push);
-    if (!isOn() && index >= 0) world.forces.splice(index, 1);
-  });
+  listWhile(world, push, isOn);
   return { world, dt: CUBE_DT, cube, switches, isOn };
 }
 
