@@ -10,10 +10,12 @@ import {
   jointTorque,
   motorJoint,
   type PhysicsWorld,
+  prismatic,
   revolute,
   softStep,
   spawn,
   step,
+  weld,
   wheel,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
@@ -54,6 +56,54 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     expect(Math.hypot(x[arm] - 1, y[arm])).toBeLessThan(1e-3);
     // The load swings a little from the start on.
     expect(Math.abs(jointTorque(world, hinge) / needed - 1)).toBeLessThan(0.01);
+    destroyWorld(world);
+  });
+
+  test.each([
+    [1, 300],
+    [10, 10],
+  ])('a bar of %i kg with a load of %i kg welded to its end, which a motor holds, does not creep', (bar, load) => {
+    const world = rigidWorld({ precision, integrator: awake });
+    const arm = spawn(world, { position: { x: 0.5 }, mass: bar, collider: { shape: box(1, 0.1) } });
+    const hinge = createJoint(world, revolute({ b: arm, anchor: {}, motor: { speed: 0, max: 1e5 } }));
+    const weight = spawn(world, { position: { x: 1 }, mass: load, collider: { shape: box(0.3, 0.3) } });
+    createJoint(world, weld({ a: arm, b: weight, anchor: { x: 1 } }));
+    run(world, 20);
+    expect(Math.abs(jointPosition(world, hinge))).toBeLessThan(1e-4);
+    destroyWorld(world);
+  });
+
+  test.each([30, 60, 240])('a weight on a rail stays where a motor holds it, at %i steps a second', (rate) => {
+    const world = rigidWorld({ precision, integrator: awake });
+    const weight = spawn(world, { position: { y: -2 }, rotation: 0, mass: 300, collider: { radius: 0.1 } });
+    createJoint(world, prismatic({ b: weight, anchor: { y: -2 }, axis: { y: 1 }, motor: { speed: 0, max: 1e5 } }));
+    for (let i = 0; i < 10 * rate; i++) step(world, 1 / rate);
+    expect(Math.abs(world.components.Position.y[weight] + 2)).toBeLessThan(1e-5);
+    destroyWorld(world);
+  });
+
+  test('a winch that holds lets go of no rope, and the ball on it keeps its energy', () => {
+    const world = rigidWorld({ precision, integrator: awake });
+    const ball = spawn(world, { position: { y: -2 }, velocity: { x: 10 }, mass: 2, collider: { radius: 0.3 } });
+    const winch = createJoint(world, distance({ b: ball, anchorA: {}, motor: { speed: 0, max: 1e6 } }));
+    const before = energy(world).total;
+    run(world, 30);
+    // At the bottom it pulls with m (g + v²/r); below, both are pendulums that turn over.
+    expect(Math.abs(jointPosition(world, winch) - 2)).toBeLessThan(0.005);
+    expect(Math.abs(energy(world).total / before - 1)).toBeLessThan(0.02);
+    destroyWorld(world);
+  });
+
+  test.each([
+    [0.5, 4],
+    [0.5, 8],
+    [0.2, 8],
+  ])('a winch takes in %d m a second of a rope on which a ball swings at %i m/s', (speed, swing) => {
+    const world = rigidWorld({ precision, integrator: awake });
+    const ball = spawn(world, { position: { y: -5 }, velocity: { x: swing }, mass: 2, collider: { radius: 0.3 } });
+    const winch = createJoint(world, distance({ b: ball, anchorA: {}, motor: { speed: -speed, max: 1e6 } }));
+    run(world, 2 / speed);
+    expect(Math.abs(jointPosition(world, winch) - 3)).toBeLessThan(0.005);
     destroyWorld(world);
   });
 

@@ -53,11 +53,17 @@ const MOST_PUSH: f64 = 1000;
   return <f64>get(t.maxMotor, work.id) * rigid.h;
 }
 
+// The speed along the row of a motor with which the joint moves at that of the motor.
+// @ts-ignore: decorator
+@inline export function speedFor(t: JointTable, work: JointWork): f64 {
+  return <f64>get(t.motorSpeed, work.id) - rowOf(work, MOTOR_ROW).chord;
+}
+
 // How much faster the joint is than its motor wants it to be.
 // @ts-ignore: decorator
 @inline function excessOf(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
   const speed = speedAlong(stateA(rigid, work), stateB(rigid, work), rowOf(work, MOTOR_ROW));
-  return speed - <f64>get(t.motorSpeed, work.id);
+  return speed - speedFor(t, work);
 }
 
 // Decides what a motor does. One that gave all it had goes on to do so as long as its speed is not reached; and one that could not
@@ -92,7 +98,7 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   work.push = 0;
   if (work.motor == APART) return;
-  if (work.motor == HOLDS && !isLimited(work)) return lockMotor(t, work);
+  if (work.motor == HOLDS && !isLimited(work)) return lockMotor(t, work, softSpeed(t, rigid, work));
   const impulses = impulsesOf(t, work.id);
   const row = rowOf(work, MOTOR_ROW);
   const all = mostOf(t, rigid, work);
@@ -116,9 +122,16 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   return motor.x != limits.x || motor.y != limits.y;
 }
 
-function lockMotor(t: JointTable, work: JointWork): void {
-  work.motorLock = addLock(work, rowOf(work, MOTOR_ROW), 0, -(<f64>get(t.motorSpeed, work.id)));
+function lockMotor(t: JointTable, work: JointWork, speed: f64): void {
+  work.motorLock = addLock(work, rowOf(work, MOTOR_ROW), 0, -speed);
   impulsesOf(t, work.id).motor = 0;
+}
+
+// The speed to solve for in a soft pass so that the joint then has that of its motor. A locked direction gives way under a load until
+// its error pushes back; a motor has no error, and would go on to give way.
+// @ts-ignore: decorator
+@inline function softSpeed(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
+  return speedFor(t, work) - ((1 - softness.massScale) * excessOf(t, rigid, work)) / softness.massScale;
 }
 
 // Before what joints pulled is taken back: motors that would have to exert more than they can push with all they have, and those
@@ -140,7 +153,10 @@ function overload(t: JointTable, rigid: RigidTable, work: JointWork): bool {
   const impulses = impulsesOf(t, work.id);
   const held = load<f64>(lockAddress(impulses, work.motorLock));
   const most = mostOf(t, rigid, work);
-  if (abs<f64>(held) <= most * softness.massScale) return false;
+  if (abs<f64>(held) <= most) {
+    rowOf(work, work.motorLock).chord = -speedFor(t, work);
+    return false;
+  }
   unlockMotor(t, work);
   impulses.motor = held > 0 ? most : -most;
   work.push = impulses.motor - held;
@@ -150,7 +166,7 @@ function overload(t: JointTable, rigid: RigidTable, work: JointWork): bool {
 function overtake(t: JointTable, rigid: RigidTable, work: JointWork, pushed: f64): bool {
   const impulses = impulsesOf(t, work.id);
   if (isLimited(work) || !(impulses.motor * excessOf(t, rigid, work) > 0)) return false;
-  lockMotor(t, work);
+  lockMotor(t, work, speedFor(t, work));
   work.push = 0;
   store<f64>(lockAddress(impulses, work.motorLock), pushed);
   return true;

@@ -154,11 +154,18 @@ function alongAxis(t: JointTable, work: JointWork, keepsAngle: bool): void {
   setRow(rowOf(work, SPRING_ROW), ux, uy, px * uy - py * ux, alongB, along, chordAlong);
   if (keepsAngle) {
     lockAngle(t, work, 1);
-    setRow(rowOf(work, MOTOR_ROW), ux, uy, px * uy - py * ux, alongB, along, 0);
+    const motorChord = withinMotorSpeed(t, work, bentAlong, slideAlong + w * across);
+    setRow(rowOf(work, MOTOR_ROW), ux, uy, px * uy - py * ux, alongB, along, motorChord);
   } else if (work.hasAxes != 0) {
     // The motor of a wheel turns it.
     aboutAngle(rowOf(work, MOTOR_ROW), angleBetween(t, work));
   }
+}
+
+// What of a chord there is in a speed along it, beside that of the motor.
+// @ts-ignore: decorator
+@inline function withinMotorSpeed(t: JointTable, work: JointWork, chord: f64, speed: f64): f64 {
+  return get(t.maxMotor, work.id) > 0 ? withinSpeed(chord, speed - <f64>get(t.motorSpeed, work.id)) : 0;
 }
 
 // Without spring and limits the distance is locked.
@@ -172,9 +179,10 @@ function alongLine(t: JointTable, work: JointWork): void {
   const armB = work.rbx * uy - work.rby * ux;
   const across = work.slideY * ux - work.slideX * uy;
   const bent = chordOfPoints(work, ux, uy) + (near ? 0 : chordOfLength(distance, across, work.halfStep));
-  const chord = withinSpeed(bent, work.slideX * ux + work.slideY * uy);
+  const along = work.slideX * ux + work.slideY * uy;
+  const chord = withinSpeed(bent, along);
   setRow(rowOf(work, SPRING_ROW), ux, uy, armA, armB, distance, chord);
-  setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance, 0);
+  setRow(rowOf(work, MOTOR_ROW), ux, uy, armA, armB, distance, withinMotorSpeed(t, work, bent, along));
   work.reach = reachOf(t, work, rowOf(work, MOTOR_ROW));
   if (work.parent != LOOP) braceRod(t, work, max<f64>(distance, MIN_DISTANCE));
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;

@@ -22,10 +22,15 @@ import { COMPLIANCE } from './soft-impulse';
   return work.parent == 1 ? row.armB : row.armA;
 }
 
+// What is softer than rigid gives way under a load until its error pushes back. A motor has no error, and would go on to give way: a
+// joint with one is as much nearer to rigid.
+const MOTOR_PART: f64 = 1e-4;
+
 // The rows of a joint with fewer locked directions are zero, so three are solved of every joint: without loops, that is
 // faster than two or one.
 export function factorJoint(t: JointTable, at: JointPlace, work: JointWork): void {
-  const share = work.parent == LOOP ? 1 : at.below == 0 ? COMPLIANCE : softness.compliance;
+  const compliance = (at.below == 0 ? COMPLIANCE : softness.compliance) * (work.motorLock >= 0 ? MOTOR_PART : 1);
+  const share = work.parent == LOOP ? 1 : compliance;
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);

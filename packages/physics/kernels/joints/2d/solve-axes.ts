@@ -21,7 +21,7 @@ import {
   isCoupling,
   isSolvedApart,
 } from './joint-table';
-import { APART } from './engage-motors';
+import { APART, speedFor } from './engage-motors';
 import { CLOSING, LOOP } from './joint-trees';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
@@ -86,7 +86,7 @@ function solveMotor(t: JointTable, work: JointWork, a: BodyState, b: BodyState, 
   const k = coupling(work, row, row);
   if (!(k > 0)) return;
   const most = <f64>get(t.maxMotor, work.id) * h;
-  const wanted = to.motor - (speedAlong(a, b, row) - <f64>get(t.motorSpeed, work.id)) / k;
+  const wanted = to.motor - (speedAlong(a, b, row) - speedFor(t, work)) / k;
   const impulse = finite(min<f64>(most, max<f64>(-most, wanted)) - to.motor);
   to.motor += impulse;
   applyAlong(work, a, b, row, impulse);
