@@ -354,7 +354,7 @@ it('says when a rod is made longer than its anchors are apart, and by the true d
   expect(messages()).toBe('');
   createJoint(world, distance({ a, b, length: 3 }));
   expect(messages()).toBe(
-    'a rod of 3 m was made between anchors that are 1 m apart. It is brought to its length at once.',
+    'a rod of 3 m was made between anchors that are 1 m apart. It is brought to its length in the next steps.',
   );
 });
 
@@ -378,8 +378,8 @@ it('says when a joint is made beyond its limits, once for each kind', () => {
   for (let i = 0; i < 2; i++) createJoint(world, distance({ a: post, b: far(), limits: { upper: 3 } }));
   createJoint(world, revolute({ a: post, b: far(), anchor: { x: 5 }, limits: { lower: 0.5, upper: 1 } }));
   expect(messages()).toBe(
-    'a distance joint was made beyond its limits: its anchors are 5 m apart, more than its upper limit, 3. It is pulled there at once.\n' +
-      'a revolute joint was made beyond its limits: its coordinate is 0, less than its lower limit, 0.5. It is pulled there at once.',
+    'a distance joint was made beyond its limits: its anchors are 5 m apart, more than its upper limit, 3. It is pulled there in the next steps.\n' +
+      'a revolute joint was made beyond its limits: its coordinate is 0, less than its lower limit, 0.5. It is pulled there in the next steps.',
   );
   expect(warnings[1].hint).toContain('let the limits include 0');
 });

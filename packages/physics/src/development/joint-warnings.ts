@@ -84,7 +84,7 @@ export function warnAboutStrayFields(world: PhysicsWorld): void {
   warnOnce(world, { message, hint }, 'no limits');
 }
 
-/** Warns if a new joint begins beyond its limits: the solver pulls it there at once, and the bodies keep the speed. */
+/** Warns if a new joint begins beyond its limits: the solver pulls it there in the next steps. */
 function warnAboutLimits(world: PhysicsWorld, joint: Values): void {
   const kind = JOINT_KINDS[joint.kind];
   const isDistance = kind === 'distance';
@@ -96,7 +96,7 @@ function warnAboutLimits(world: PhysicsWorld, joint: Values): void {
   const limit = isBelow ? `less than its lower limit, ${joint.lower}` : `more than its upper limit, ${joint.upper}`;
   const place = isDistance ? `anchors are ${Number(now.toPrecision(3))} m apart` : 'coordinate is 0';
   const warning = {
-    message: `a ${kind} joint was made beyond its limits: its ${place}, ${limit}. It is pulled there at once.`,
+    message: `a ${kind} joint was made beyond its limits: its ${place}, ${limit}. It is pulled there in the next steps.`,
     hint: isDistance
       ? 'Put the bodies where the limits hold before you join them.'
       : 'The coordinate of a joint is 0 as its bodies are when it is made: let the limits include 0.',
@@ -107,7 +107,7 @@ function warnAboutLimits(world: PhysicsWorld, joint: Values): void {
 function warnAboutLength(world: PhysicsWorld, now: number, length: number): void {
   if (Math.abs(now - length) <= LIMIT_TOLERANCE) return;
   const warning = {
-    message: `a rod of ${length} m was made between anchors that are ${Number(now.toPrecision(3))} m apart. It is brought to its length at once.`,
+    message: `a rod of ${length} m was made between anchors that are ${Number(now.toPrecision(3))} m apart. It is brought to its length in the next steps.`,
     hint: 'Put the bodies at that distance before you join them, or leave `length` out.',
   };
   warnOnce(world, warning, 'length of a rod');

@@ -16,7 +16,7 @@ import { GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAd
 import { LOOP } from './joint-trees';
 import { jointsOfTree, treeOfRow } from './list-by-tree';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
-import { addLock, applyAlong, removeLock, speedAlong, stateA, stateB } from './joint-rows';
+import { addLock, applyAlong, bounded, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { exertCoupling, speedOfCoupling } from './solve-couplings';
 
 // Which limit of a joint bears: that below, that above, or both, where they leave no room between them.
@@ -108,7 +108,7 @@ export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   impulses.upper = 0;
   work.returns = 0;
   if (low + high < NO_ROOM) {
-    lock(work, row, BOTH, low);
+    lock(work, row, BOTH, bounded(low));
   } else if (lower && (!upper || low < high)) {
     work.returns = isAlone(t, work) ? passes & LEAVES_LOWER : 0;
     lock(work, row, LOWER, errorOf(low, passesLower, rigid.h));
@@ -127,7 +127,7 @@ function isAlone(t: JointTable, work: JointWork): bool {
 // The error for which a limit is reached within the sub-step, where that lies before it.
 // @ts-ignore: decorator
 @inline function errorOf(gap: f64, passes: bool, h: f64): f64 {
-  if (gap < 0) return gap;
+  if (gap < 0) return bounded(gap);
   return passes ? gap / (h * softness.biasRate) : RETURN * gap;
 }
 

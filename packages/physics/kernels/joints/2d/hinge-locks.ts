@@ -46,7 +46,7 @@ import {
   weigh,
 } from './hinge-vectors';
 import { HingeStart, JointPlace } from './joint-work';
-import { finite, finiteVector } from './joint-rows';
+import { boundedVector, finite, finiteVector } from './joint-rows';
 import { COMPLIANCE } from './soft-impulse';
 
 // The velocity that the anchor of the child is to have from that of the parent.
@@ -68,7 +68,7 @@ import { COMPLIANCE } from './soft-impulse';
   setChord(at, chord);
   const between = plus(startBetween(start), minus(movementOf(c), movementOf(p)));
   const gap = minus(plus(between, child), parent);
-  setWanted(start, plus(chord, times(softness.biasRate, gap)));
+  setWanted(start, plus(chord, times(softness.biasRate, boundedVector(gap))));
 }
 
 // @ts-ignore: decorator

@@ -65,6 +65,20 @@ const MAX_IMPULSE: f64 = 1e30;
   return v128.and(impulse, f64x2.lt(f64x2.abs(impulse), f64x2.splat(MAX_IMPULSE)));
 }
 
+// Joints that are farther apart, m or rad, come together as if they were so far apart: at the rate at which gaps close, a few metres
+// would take a speed that whatever touches a body keeps. Source: Box2D 2 (b2_maxLinearCorrection).
+export const MOST_ERROR: f64 = 0.1;
+
+// @ts-ignore: decorator
+@inline export function bounded(error: f64): f64 {
+  return min<f64>(MOST_ERROR, max<f64>(-MOST_ERROR, error));
+}
+
+// @ts-ignore: decorator
+@inline export function boundedVector(error: v128): v128 {
+  return f64x2.min(f64x2.splat(MOST_ERROR), f64x2.max(f64x2.splat(-MOST_ERROR), error));
+}
+
 export function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, error: f64, chord: f64): void {
   row.x = x;
   row.y = y;

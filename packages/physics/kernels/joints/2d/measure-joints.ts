@@ -8,7 +8,7 @@ import { DISTANCE, GEAR, JointTable, MOTOR, PRISMATIC, PULLEY, REVOLUTE, WELD, W
 import { chordOfLength, chordOfPoints, measureBends, partOfChord, withinSpeed } from './chords';
 import { measureHinge } from './hinge-locks';
 import { LOOP } from './joint-trees';
-import { coupling, setRow } from './joint-rows';
+import { bounded, coupling, setRow } from './joint-rows';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, placeAt, rowOf, startAt, workAt } from './joint-work';
 import { measureGear, measurePulley } from './solve-couplings';
 
@@ -106,13 +106,13 @@ function lockPoint(work: JointWork, partA: f64, partB: f64): void {
   const armAy = work.ray + partA * work.dy;
   const armBx = work.rbx - partB * work.dx;
   const armBy = work.rby - partB * work.dy;
-  setRow(rowOf(work, 0), 1, 0, -armAy, -armBy, work.dx, part * x);
-  setRow(rowOf(work, 1), 0, 1, armAx, armBx, work.dy, part * y);
+  setRow(rowOf(work, 0), 1, 0, -armAy, -armBy, bounded(work.dx), part * x);
+  setRow(rowOf(work, 1), 0, 1, armAx, armBx, bounded(work.dy), part * y);
   work.locks = 2;
 }
 
 function lockAngle(t: JointTable, work: JointWork, i: i32): void {
-  aboutAngle(rowOf(work, i), angleBetween(t, work));
+  aboutAngle(rowOf(work, i), bounded(angleBetween(t, work)));
   work.locks = i + 1;
 }
 
@@ -120,6 +120,8 @@ function lockAngle(t: JointTable, work: JointWork, i: i32): void {
 // it should be.
 function followPoint(t: JointTable, work: JointWork): void {
   lockPoint(work, 1, 0);
+  rowOf(work, 0).error = work.dx;
+  rowOf(work, 1).error = work.dy;
   aboutAngle(rowOf(work, 2), angleBetween(t, work));
   work.locks = 0;
 }
@@ -149,7 +151,7 @@ function alongAxis(t: JointTable, work: JointWork, keepsAngle: bool): void {
   const bentAlong = chordOfPoints(work, ux, uy) + turn * slideAcross - work.bendA * along;
   const chordAcross = withinSpeed(bentAcross, slideAcross - w * along);
   const chordAlong = withinSpeed(bentAlong, slideAlong + w * across);
-  setRow(rowOf(work, 0), -uy, ux, px * ux + py * uy, acrossB, across, chordAcross);
+  setRow(rowOf(work, 0), -uy, ux, px * ux + py * uy, acrossB, bounded(across), chordAcross);
   work.locks = 1;
   setRow(rowOf(work, SPRING_ROW), ux, uy, px * uy - py * ux, alongB, along, chordAlong);
   if (keepsAngle) {
@@ -186,7 +188,7 @@ function alongLine(t: JointTable, work: JointWork): void {
   work.reach = reachOf(t, work, rowOf(work, MOTOR_ROW));
   if (work.parent != LOOP) braceRod(t, work, max<f64>(distance, MIN_DISTANCE));
   if (get(t.hertz, id) > 0 || word(t.hasLimits, id) != 0) return;
-  setRow(rowOf(work, 0), ux, uy, armA, armB, distance - <f64>get(t.length, id), chord);
+  setRow(rowOf(work, 0), ux, uy, armA, armB, bounded(distance - <f64>get(t.length, id)), chord);
   work.locks = 1;
 }
 

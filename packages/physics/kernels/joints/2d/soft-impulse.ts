@@ -1,7 +1,7 @@
 // Impulses along one direction, from its inverse mass k, 1/kg, its speed and what it has exerted before in this step.
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { soften, softness } from '../../solver/2d/softness';
-import { finite } from './joint-rows';
+import { bounded, finite } from './joint-rows';
 
 // A joint to what joints do not move is softer than rigid by this part, so that what is held from two sides has a solution. A
 // straight bridge of a hundred planks needs it: with less, blows of its load make it swing ever more.
@@ -28,6 +28,6 @@ export function limitImpulse(k: f64, speed: f64, gap: f64, before: f64, h: f64, 
   if (!(k > 0)) return 0;
   let impulse = -speed / k;
   if (gap > 0) impulse = -(speed + gap / h) / k;
-  else if (soft) impulse = softImpulse(k, speed + softness.biasRate * gap, before);
+  else if (soft) impulse = softImpulse(k, speed + softness.biasRate * bounded(gap), before);
   return finite(max<f64>(before + impulse, 0) - before);
 }

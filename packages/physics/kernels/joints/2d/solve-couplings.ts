@@ -14,7 +14,7 @@ import { JointedBody, jointed } from './brace-joints';
 import { bend, chordOfLength, withinSpeed } from './chords';
 import { JointImpulses, JointTable, PULLEY } from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf } from './joint-work';
-import { stateA, stateB } from './joint-rows';
+import { bounded, stateA, stateB } from './joint-rows';
 import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
 
 // The rows of the two bodies, in places that these joints do not use otherwise; the arm of each is that of its body.
@@ -126,7 +126,7 @@ export function solveCoupling(t: JointTable, work: JointWork, impulses: JointImp
   }
   if (!soft) softness.impulseScale = 0;
   if (!soft) softness.massScale = 1;
-  const bias = soft ? softness.biasRate * gap : 0;
+  const bias = soft ? softness.biasRate * bounded(gap) : 0;
   const turn = softImpulse(k, speedOfCoupling(work, a, b) + bias, impulses.lock0);
   impulses.lock0 += turn;
   exertCoupling(work, a, b, turn);

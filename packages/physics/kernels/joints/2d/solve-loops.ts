@@ -2,6 +2,7 @@
 import { add, div, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from '../../solver/2d/gather-lanes';
 import { softness } from '../../solver/2d/softness';
+import { MOST_ERROR } from './joint-rows';
 import { JointTable } from './joint-table';
 import * as block from './loop-block';
 import { blockOf } from './loop-block';
@@ -46,10 +47,15 @@ export function startLoops(t: JointTable): void {
   const chordY = sub(mul(bendA, ay), mul(bendB, by));
   v128.store(at, chordX, block.CHORD_X);
   v128.store(at, chordY, block.CHORD_Y);
-  const dx = add(movedX, sub(bx, ax));
-  const dy = add(movedY, sub(by, ay));
-  v128.store(at, add(chordX, mul(rate, add(v128.load(at, block.START_X), dx))), block.WANTED_X);
-  v128.store(at, add(chordY, mul(rate, add(v128.load(at, block.START_Y), dy))), block.WANTED_Y);
+  const dx = bounded(add(v128.load(at, block.START_X), add(movedX, sub(bx, ax))));
+  const dy = bounded(add(v128.load(at, block.START_Y), add(movedY, sub(by, ay))));
+  v128.store(at, add(chordX, mul(rate, dx)), block.WANTED_X);
+  v128.store(at, add(chordY, mul(rate, dy)), block.WANTED_Y);
+}
+
+// @ts-ignore: decorator
+@inline function bounded(error: v128): v128 {
+  return smaller(splat(<real>MOST_ERROR), larger(splat(<real>-MOST_ERROR), error));
 }
 
 // @ts-ignore: decorator
