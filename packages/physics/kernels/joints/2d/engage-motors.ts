@@ -9,7 +9,7 @@ import { DISTANCE, JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAdd
 import { LOOP } from './joint-trees';
 import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
-import { leaveRest } from './push-axes';
+import { endPush } from './push-axes';
 
 // What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
 export const APART: i32 = 0;
@@ -105,7 +105,7 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const most = isLimited(work) ? min<f64>(all, MOST_PUSH / coupling(work, row, row)) : all;
   if (work.motor == HOLDS || work.motor == RESTS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
   else impulses.motor = work.motor == PUSHES_UP ? most : -most;
-  work.push = impulses.motor;
+  work.push = impulses.motor / softness.massScale;
 }
 
 // Whether a limit has locked the direction in which the motor acts.
@@ -135,14 +135,13 @@ function lockMotor(t: JointTable, work: JointWork, speed: f64): void {
 }
 
 // Before what joints pulled is taken back: motors that would have to exert more than they can push with all they have, and those
-// that pushed too far hold. Returns whether there are any. In a soft pass, what is exerted moves bodies by a part only (softness.ts);
-// the rest follows now.
+// that pushed too far hold. Returns whether there are any.
 export function exchangeMotors(t: JointTable, rigid: RigidTable): bool {
   let any = false;
   for (let k = 0; k < t.closedCount; k++) {
     const work = workAt(t, k);
     const pushed = softness.massScale * work.push;
-    leaveRest(work);
+    endPush(work);
     if (work.motor != APART && (work.motorLock >= 0 ? overload(t, rigid, work) : overtake(t, rigid, work, pushed)))
       any = true;
   }

@@ -1,8 +1,8 @@
 // What springs do to a tree, and motors that push with all they have. Their joints pass it on at once: as impulses on the bodies of the
 // tree, among those of all joints. Done to their two bodies alone it would turn a light one on which much hangs a hundred times as
 // fast, and a soft pass leaves a part of that for the positions (softness.ts). Such a pass moves bodies by a part only of what is
-// pushed. A motor, whose force is steady, gives the rest when joints are relaxed; a spring pushes by so much more that all of it acts
-// before positions follow: what comes after them is a force of a moment ago, with which springs gain energy.
+// pushed: it is given so much more that all of it acts before positions follow. What comes after them is a force of a moment ago, with
+// which springs gain energy, and what motors press slips.
 import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
@@ -22,9 +22,9 @@ export function bearSpring(t: JointTable, rigid: RigidTable, k: i32): void {
   applyAlong(work, stateA(rigid, work), stateB(rigid, work), rowOf(work, SPRING_ROW), -impulse);
 }
 
-// After a soft pass: what is left for when joints are relaxed.
-export function leaveRest(work: JointWork): void {
-  work.push *= 1 - softness.massScale;
+// After a soft pass nothing is left to push.
+export function endPush(work: JointWork): void {
+  work.push = 0;
   work.springPush = 0;
 }
 
