@@ -3,7 +3,7 @@
 // quarter of its size would pass through.
 //
 // Time of impact: narrow-phase/2d/time-of-impact.ts.
-import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
+import { PLANE, SHAPE_BYTES, Shape, vertexX, vertexY } from '../../collision/shapes/2d/shape';
 import { makeCircle, shapeOf } from '../../collision/shapes/2d/shape-pool';
 import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
@@ -146,7 +146,9 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   const starts = sweep.fraction == 0;
   const isRail = rolls && (flagsOf(t, other) & MOVES) == 0;
   if (starts) impact.touches = true;
-  else if (endsInside(wall, shape, isRail)) return sweep.fraction;
+  const isEnd = turnToSide(wall);
+  if ((isEnd || (starts && isRail)) && !goesIn()) return 1;
+  if (!starts && endsInside(wall, shape, isRail)) return sweep.fraction;
   if (!mayPass) return 1;
   const fraction = sweep.fraction;
   const nx = sweep.nx;
@@ -165,6 +167,35 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
   if (starts && nx == 0 && ny == 0) return sweep.fraction;
   return hitFrom(nx, ny, starts ? SLIDES : fraction);
+}
+
+// What rolls along the inside of a curve presses into the next segment a little and is at the end of that first. Where this segment
+// turns towards the body, it would meet its side: the normal there would throw it off the rail. Returns whether it is so.
+function turnToSide(wall: Shape): bool {
+  if (wall.isChained == 0 || wall.kind == PLANE) return false;
+  const x = sweep.ac * sweep.nx + sweep.as * sweep.ny;
+  const y = sweep.ac * sweep.ny - sweep.as * sweep.nx;
+  const dx = vertexX(wall, 1) - vertexX(wall, 0);
+  const dy = vertexY(wall, 1) - vertexY(wall, 0);
+  const length = sqrt<real>(dx * dx + dy * dy);
+  const across = (y * dx - x * dy) / length;
+  const isStart = x * dx + y * dy < 0;
+  const end = isStart ? 0 : 1;
+  const next = isStart ? 2 : 3;
+  const turn = (vertexY(wall, next) - vertexY(wall, end)) * dx - (vertexX(wall, next) - vertexX(wall, end)) * dy;
+  if (turn * across <= 0) return false;
+  const side: real = across > 0 ? 1 : -1;
+  sweep.nx = (side * (-sweep.ac * dy - sweep.as * dx)) / length;
+  sweep.ny = (side * (sweep.ac * dx - sweep.as * dy)) / length;
+  return true;
+}
+
+// Whether the second shape moves towards the first, and not along it.
+// @ts-ignore: decorator
+@inline function goesIn(): bool {
+  const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
+  const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
+  return dx * sweep.nx + dy * sweep.ny < -FLAT * sqrt<real>(dx * dx + dy * dy);
 }
 
 // @ts-ignore: decorator
