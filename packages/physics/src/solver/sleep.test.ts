@@ -136,6 +136,32 @@ test('what moves without mass carries bodies, wakes them and keeps them awake', 
   expect(world.components.Velocity.x[load]).toBeCloseTo(0.5, 3);
 });
 
+// A crate that sticks to the belt goes v t; what it takes to get up to v, v²/2μg, is below 0.1 mm, and contacts that settle move it
+// by less than a millimetre.
+test.each([
+  ['f32', 0.002],
+  ['f64', 0.002],
+  ['f32', 0.03],
+  ['f64', 0.03],
+] as const)(
+  'in %s a belt of %s m/s carries what lies on it, and lets what a stop holds sleep until it is gone',
+  (precision, speed) => {
+    const world = rigidWorld({ precision });
+    spawn(world, { position: { y: -0.5 }, collider: { shape: box(100, 1), friction: 0.6, tangentSpeed: speed } });
+    const stop = spawn(world, { position: { x: 21, y: 0.5 }, collider: { shape: box(1, 1), friction: 0.6 } });
+    const [free, held] = [addBox(world, 0, 0.5), addBox(world, 20, 0.5)];
+    const { x } = world.components.Position;
+    run(world, 10);
+    expect(isAsleep(world, free)).toBe(false);
+    expect(Math.abs(x[free] - 10 * speed)).toBeLessThan(0.001);
+    expect(isAsleep(world, held)).toBe(true);
+    despawn(world, stop);
+    const from = x[held];
+    run(world, 10);
+    expect(Math.abs(x[held] - from - 10 * speed)).toBeLessThan(0.001);
+  },
+);
+
 describe('putToSleep', () => {
   test('a new stack sleeps after one step, exactly where it is, until something hits it', () => {
     const world = rigidWorld();

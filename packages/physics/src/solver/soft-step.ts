@@ -55,8 +55,8 @@ export interface SoftStepOptions {
   /** Impacts faster than this are listed in `contactEvents(world).hit`, m/s; default 1. */
   readonly hitSpeed?: number;
   /**
-   * A body none of whose points is faster, or gains a tenth of it, is still, m/s; default 0.05. On the mean of half of `sleepTime`
-   * it moves by at most 2/5 of it, or by 1/10 where nothing of its island touches; what nothing holds has a thousandth of it.
+   * A body none of whose points is faster, or gains a tenth of it, is still, m/s; default 0.05. What goes at a steady speed is
+   * still below 0.69 of it, or 0.116 where nothing of its island touches; what nothing holds below a thousandth of it.
    */
   readonly sleepSpeed?: number;
   /** Bodies that touch each other sleep when all were still for so long, s; default 0.5. With 0 none sleeps. */

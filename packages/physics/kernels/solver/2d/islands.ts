@@ -2,13 +2,15 @@
 // asleep when all its bodies have been still for a while (still-bodies.ts), and wakes as a whole. Source: Box2D 3 (island.c,
 // solver_set.c).
 import { columns, get, put } from '../../memory/columns';
-import { contactAt } from '../../collision/narrow-phase/2d/rigid-contact';
+import { RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import {
   ASLEEP,
   COLLIDES,
   DYNAMIC,
   KINEMATIC,
+  MOVES,
   PART,
+  STANDS,
   TO_SLEEP,
   WAKES,
   flagsOf,
@@ -16,6 +18,7 @@ import {
   poseOf,
   putFlags,
   putWord,
+  stateOf,
   word,
 } from './body';
 import { readPose } from './gather-bodies';
@@ -50,6 +53,9 @@ function joinIslands(t: RigidTable): void {
     joinBodies(t, contact.bodyA, contact.bodyB);
     sleeperOf(t, contact.bodyA).holds |= TOUCHES;
     sleeperOf(t, contact.bodyB).holds |= TOUCHES;
+    if (contact.tangentSpeed == 0 || !carries(t, contact)) continue;
+    sleeperOf(t, contact.bodyA).stillFor = 0;
+    sleeperOf(t, contact.bodyB).stillFor = 0;
   }
   for (let i = 0; i < t.linkCount; i++) joinBodies(t, word(t.links, 2 * i), word(t.links, 2 * i + 1));
   // A spring holds nothing in its place, but what pulls at one end feels the other.
@@ -85,6 +91,24 @@ export function islandAt(table: usize, row: i32): i32 {
   return (flagsOf(t, body) & DYNAMIC) == 0 ? 0 : islandOf(t, body);
 }
 
+// Whether a belt carries what it presses: that goes at more than half of the speed of the surface. What is held back by something
+// else slips, and may sleep.
+function carries(t: RigidTable, contact: RigidContact): bool {
+  const point = pointOf(contact, 0);
+  if (point.totalImpulse == 0 && (contact.count < 2 || pointOf(contact, 1).totalImpulse == 0)) return false;
+  const along =
+    tangentSpeedOf(t, contact, contact.bodyB, point.bx, point.by) -
+    tangentSpeedOf(t, contact, contact.bodyA, point.ax, point.ay);
+  return <real>2 * (along / contact.tangentSpeed) > 1;
+}
+
+// The speed of a point of a body along the tangent (n_y, -n_x), m/s.
+function tangentSpeedOf(t: RigidTable, contact: RigidContact, row: i32, x: real, y: real): real {
+  if ((flagsOf(t, row) & MOVES) == 0) return 0;
+  const state = stateOf(t, row);
+  return contact.ny * state.vx - contact.nx * state.vy - state.w * (contact.nx * x + contact.ny * y);
+}
+
 // What a kinematic body carries stays awake as long as that moves.
 function joinBodies(t: RigidTable, a: i32, b: i32): void {
   const kindA = flagsOf(t, a);
@@ -92,8 +116,8 @@ function joinBodies(t: RigidTable, a: i32, b: i32): void {
   if ((kindA & kindB & DYNAMIC) == 0) {
     sleeperOf(t, a).holds |= HELD;
     sleeperOf(t, b).holds |= HELD;
-    if ((kindA & KINEMATIC) != 0 && sleeperOf(t, a).stillFor == 0) sleeperOf(t, b).stillFor = 0;
-    if ((kindB & KINEMATIC) != 0 && sleeperOf(t, b).stillFor == 0) sleeperOf(t, a).stillFor = 0;
+    if ((kindA & (KINEMATIC | STANDS)) == KINEMATIC) sleeperOf(t, b).stillFor = 0;
+    if ((kindB & (KINEMATIC | STANDS)) == KINEMATIC) sleeperOf(t, a).stillFor = 0;
     return;
   }
   const islandA = islandOf(t, a);

@@ -6,7 +6,8 @@
 //
 // V: sleepSpeed    T: sleepTime. The mean velocity u tells what rests and trembles from what drifts, or swings and is about to turn
 // back: with an acceleration A that lasts for T it becomes more than A T/2 before or after. Heaps creep, and friction holds them
-// in the end: c = 3/5 where anything touches. Nothing brakes what only joints hold: c = 1/10.
+// in the end: c = 3/5 where anything touches. Nothing brakes what only joints hold: c = 1/10. The mean starts from 0 where a body
+// begins to be still, so that what goes at a steady speed sleeps below c V/(1 - e⁻²): 0.69 V and 0.116 V.
 //
 // What sleeps wakes when forces change so that it would gain more than V/10 in T. Nothing at all holds what neither touches
 // nor is joined to something that does not move: it sleeps where V and forces are a thousandth of what others may have, so
