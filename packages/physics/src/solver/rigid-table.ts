@@ -86,6 +86,7 @@ function writeColumns(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.masks] = Collider.mask;
   words[Word.dynamicBits] = (bitOf('Position') | bitOf('Velocity') | bitOf('Mass')) >>> 0;
   words[Word.turningBits] = (bitOf('Rotation') | bitOf('AngularVelocity')) >>> 0;
+  words[Word.velocityBits] = (bitOf('Velocity') | bitOf('AngularVelocity')) >>> 0;
   words[Word.colliderBit] = bitOf('Collider');
   words[Word.sensor] = Collider.sensor;
   words[Word.bullet] = Collider.bullet;

@@ -109,6 +109,35 @@ test('sensors do not sense each other, layers and groups filter what they sense,
   expect(record(world, 60).map(([, ...rest]) => rest)).toEqual([[true, walker, wall]]);
 });
 
+test.each(['f32', 'f64'] as const)(
+  'in %s what has a velocity is sensed by sensors at rest, also while it stands',
+  (precision) => {
+    const world = rigidWorld({ precision, forces: [] });
+    const zone = spawn(world, { position: {}, collider: { shape: box(2, 2), sensor: true } });
+    const block = spawn(world, { position: {}, collider: { shape: box(0.5, 0.5) } });
+    const lift = spawn(world, { position: {}, velocity: {}, collider: { shape: box(0.5, 0.5) } });
+    const probe = spawn(world, { position: {}, angularVelocity: 1, collider: { shape: box(0.1, 0.1), sensor: true } });
+    const { Position, Velocity, AngularVelocity } = world.components;
+    expect(record(world, 2)).toEqual([
+      [0, true, zone, lift],
+      [0, true, probe, block],
+      [0, true, probe, lift],
+    ]);
+    Velocity.y[lift] = 0.1;
+    record(world, 2);
+    Velocity.y[lift] = 0;
+    AngularVelocity.z[probe] = 0;
+    expect(record(world, 5)).toEqual([]);
+    Position.x[lift] = 5;
+    expect(record(world, 2).map(([, ...rest]) => rest)).toEqual([
+      [false, zone, lift],
+      [false, probe, lift],
+    ]);
+    Position.x[lift] = 1;
+    expect(record(world, 2).map(([, ...rest]) => rest)).toEqual([[true, zone, lift]]);
+  },
+);
+
 test('a body that becomes a sensor is left by what lies on it, and the other way round', () => {
   const world = rigidWorld();
   const floor = spawn(world, { position: { y: -0.5 }, collider: { shape: box(20, 1) } });

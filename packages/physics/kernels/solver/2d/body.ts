@@ -83,6 +83,9 @@ export const STANDS: u32 = 8388608;
 // It has become solid on one side only since the last step.
 export const NEWLY_ONE_WAY: u32 = 16777216;
 
+// It is static, but has a velocity, which is 0 in this step.
+export const MAY_MOVE: u32 = 33554432;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

@@ -14,6 +14,7 @@ import {
   FAST,
   KINEMATIC,
   LOCKED,
+  MAY_MOVE,
   MOVES,
   NEWLY_ONE_WAY,
   ONE_WAY,
@@ -53,6 +54,7 @@ export function gatherBodies(table: usize): void {
   t.sleptCount = 0;
   t.wokenCount = 0;
   t.sensorCount = 0;
+  t.mayMoveCount = 0;
   findColliderFlags(t);
   // Entities that are gone may have left rows at the end.
   const end = max<i32>(t.rows, t.lastRows);
@@ -157,6 +159,7 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   )
     wakeIsland(t, row);
   if ((kind & SENSOR) != 0) t.sensorCount++;
+  if ((kind & MAY_MOVE) != 0) t.mayMoveCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   if (!changed && (kind & ~before & ONE_WAY) != 0) noteOneWay(t, row);
   putWord(t.bodyGenerations, row, word(t.generations, row));
@@ -191,7 +194,7 @@ function noteOneWay(t: RigidTable, row: i32): void {
   if ((flags & MOVES) != 0) t.movingTreeValid = 0;
 }
 
-const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;
+const KINDS: u32 = MOVES | STATIC | MAY_MOVE | COLLIDES | PART | SENSOR | WALL;
 
 // @ts-ignore: decorator
 @inline function kindOf(c: Columns, t: RigidTable, row: i32): u32 {
@@ -205,7 +208,8 @@ const KINDS: u32 = MOVES | STATIC | COLLIDES | PART | SENSOR | WALL;
     return DYNAMIC | kind | ((bits & t.lockBit) != 0 ? LOCKED : 0);
   }
   // Without a shape it is still what a joint may hang from.
-  return (isDriven(c, row) ? KINEMATIC : STATIC) | kind;
+  if (isDriven(c, row)) return KINEMATIC | kind;
+  return STATIC | kind | ((bits & t.velocityBits) != 0 ? MAY_MOVE : 0);
 }
 
 // A circle of radius 0 is none: what touched it would stand on a point. Particles that are not born or have ended are such.

@@ -12,6 +12,7 @@ import {
   COLLIDES,
   COMPOUND,
   FAST,
+  MAY_MOVE,
   MOVES,
   PART,
   ROUND,
@@ -60,7 +61,7 @@ export function kindOfPart(t: RigidTable, row: i32): u32 {
   const body = word(t.attachmentBody, row);
   const bits = <u32>word(t.members, row);
   if ((bits & 1) == 0 || (bits & t.colliderBit) == 0 || !hasBody(t, row, body)) return 0;
-  return (flagsOf(t, body) & (MOVES | STATIC)) | COLLIDES | PART | colliderFlags(t, row);
+  return (flagsOf(t, body) & (MOVES | STATIC | MAY_MOVE)) | COLLIDES | PART | colliderFlags(t, row);
 }
 
 // Poses of the parts of bodies that are awake, and the extents of these bodies as far as their parts reach.

@@ -47,9 +47,10 @@ export class RigidTable {
   // Whether any of these but `bullet` is used in this step, and whether `rollingResistance` is.
   usesColliderFlags: i32;
   usesResistance: i32;
-  // Bits of membership: what makes a body dynamic, and what lets it turn.
+  // Bits of membership: what makes a body dynamic, what lets it turn, and the velocities of what has no mass.
   dynamicBits: u32;
   turningBits: u32;
+  velocityBits: u32;
   colliderBit: u32;
   // What makes a body kinematic although it has mass, keeps it awake, and locks motions; then the columns of the locks.
   kinematicBit: u32;
@@ -66,8 +67,9 @@ export class RigidTable {
   planeWallBit: u32;
   wallColumns: usize;
   wallShapes: usize;
-  // Number of sensors in this step.
+  // Number of sensors in this step, and of what may move, but stands.
   sensorCount: i32;
+  mayMoveCount: i32;
   // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.
   attachmentBit: u32;
   attachmentBody: usize;

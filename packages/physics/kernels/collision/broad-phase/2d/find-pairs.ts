@@ -24,6 +24,8 @@ export function findRigidPairs(table: usize): void {
     if (t.staticNodeCount > 0) findBetween(t, t.movingNodes, 0, t.staticNodes, 0);
     findWithin(t, t.movingNodes, 0);
   }
+  // A sensor at rest senses a lift that is put into it at rest.
+  if (t.sensorCount > 0 && t.mayMoveCount > 0 && t.staticNodeCount > 0) findWithin(t, t.staticNodes, 0);
   sortKeys(t.pairs, t.sortedPairs, t.pairCount);
   addContacts(t);
 }

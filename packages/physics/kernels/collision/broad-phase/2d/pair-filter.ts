@@ -1,14 +1,14 @@
 // Which two shapes may be in contact: by the kinds of their bodies, their layers and groups, and joints.
 import { get } from '../../../memory/columns';
-import { DYNAMIC, GROUPED, MOVES, SENSOR, WALL, flagsOf, word } from '../../../solver/2d/body';
+import { DYNAMIC, GROUPED, MAY_MOVE, MOVES, SENSOR, WALL, flagsOf, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { keyAt } from './sort-keys';
 
-// Bodies that no contact moves do not meet, and sensors do not sense each other. What does not move senses what does.
+// Bodies that no contact moves do not meet, and sensors do not sense each other. What never moves senses what does, or may.
 // @ts-ignore: decorator
 @inline export function kindsMeet(a: u32, b: u32): bool {
   if (((a | b) & SENSOR) == 0) return ((a | b) & DYNAMIC) != 0;
-  return ((a | b) & MOVES) != 0 && (a & b & SENSOR) == 0;
+  return ((a | b) & (MOVES | MAY_MOVE)) != 0 && (a & b & SENSOR) == 0;
 }
 
 // Two shapes of one group collide always if it is positive and never if it is negative. Otherwise they collide where each is
