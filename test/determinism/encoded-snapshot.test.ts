@@ -192,7 +192,36 @@ describe('81 what is no snapshot of such a world is refused, and the world stays
       forces: [uniformGravity(), quadraticDrag()],
     });
     createEmitter(world, { capacity: 30, rate: 60, lifetime: 0.4, mass: 0.01, speed: 2 });
-    refuse(world, bytes, /E_TYPE.*nothing in the place of kept objects/);
+    refuse(
+      world,
+      bytes,
+      /E_TYPE.*differs in the number of objects passed to keepState: 1 saved, 0 here. Pass keepState as many/,
+    );
+  });
+
+  it('a world that keeps other objects', () => {
+    const keeping = (...objects: object[]) => {
+      const world = createPhysicsWorld({ capacity: 5 });
+      keepState(world, ...objects);
+      return world;
+    };
+    const points = { points: 7 };
+    const table = new Float64Array(3);
+    const taken = encodeSnapshot(snapshot(keeping(points, { lives: 3 }, table)));
+    const number = /E_TYPE.*differs in the number of objects passed to keepState: 3 saved/;
+    refuse(keeping({ points: 0 }), taken, number);
+    refuse(keeping({ points: 0 }, { lives: 0 }, new Float64Array(3), { coins: 5 }), taken, number);
+    const kind = (i: number) => new RegExp(`E_TYPE.*differs in object\\[${i}\\] of those passed to keepState`);
+    refuse(keeping({ lives: 0 }, { points: 0 }, new Float64Array(3)), taken, kind(0));
+    refuse(keeping({ points: 0 }, new Map(), new Float64Array(3)), taken, kind(1));
+    refuse(keeping({ points: 0 }, { lives: 0 }, new Float64Array(4)), taken, kind(2));
+    refuse(keeping({ points: 0 }, { lives: 0 }, new Float32Array(3)), taken, kind(2));
+    // What comes and goes later does not count, and an object that is passed twice is one.
+    const state: Record<string, number> = { points: 0 };
+    const world = keeping(state, state, { lives: 0 }, new Float64Array(3));
+    state.bonus = 1;
+    restore(world, decodeSnapshot(world, taken));
+    expect(state).toEqual(points);
   });
 
   it('state of one’s own without a name', () => {

@@ -6,7 +6,7 @@ import { isImmutable, ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
 import type { PhysicsWorld, System } from '../world/types.ts';
 import { noEntities, restoreEntities, type SavedEntities, saveEntities } from './entities.ts';
-import { KEPT, keptObjects } from './keep-state.ts';
+import { KEPT, keptList, keptObjects } from './keep-state.ts';
 import { type MemoryImage, noImage, putImage, takeImage } from './memory-image.ts';
 import type { Copy } from './object-copies.ts';
 import { PlainRecord } from './plain-record.ts';
@@ -172,11 +172,15 @@ export class Content implements Snapshot {
     const { internal, versions } = world;
     const thrown = restoreEntities(world, this.#entities);
     const { resources } = internal;
-    for (const key of [...resources.keys()]) if (isState(key)) resources.delete(key);
+    const kept = keptList(world);
+    const all = kept?.slice() ?? [];
+    for (const [key, state] of [...resources]) if (isState(key) && state !== kept) resources.delete(key);
     for (let i = 0; i < this.#keys.length; i++) resources.set(this.#keys[i], this.#states[i]);
     putImage(world, this.#image);
     const { restored } = versions;
     this.#plain.putBack();
+    // Of the kept objects the snapshot has those that came first; the others stay kept, with the values that they have.
+    if (kept !== undefined) for (const object of all.slice(kept.length)) kept.push(object);
     versions.restored = restored;
     addIdleBlocks(world, this.#idle);
     refill(world.forces, this.#forces as typeof world.forces);

@@ -16,7 +16,8 @@ import { type ArrayPlace, BytesReader, makeArray } from './packed-bytes.ts';
 /**
  * Reads what `encodeSnapshot` wrote, as a snapshot of this world: `restore` then makes this world go on as the other would have,
  * to the bit. The world must have been made as the other was: with the same options, forces, systems, emitters and calls of
- * `keepState`. Its bodies, joints and springs may differ. The world stays as it is until `restore`.
+ * `keepState`. Its bodies, joints and springs may differ. Of kept objects the number, the kinds and the fields at the time of
+ * `keepState` are compared: two with the same fields in another order cannot be told apart. The world stays as it is until `restore`.
  * @throws PhysicsError E_TYPE for bytes that are no snapshot or of a world made otherwise, E_REENTRANT, E_DESTROYED
  */
 export function decodeSnapshot(world: PhysicsWorld, bytes: Uint8Array): Snapshot {
@@ -52,15 +53,32 @@ export function decodeSnapshot(world: PhysicsWorld, bytes: Uint8Array): Snapshot
 function assertSameForm(world: PhysicsWorld, form: WorldForm): void {
   const here = formOf(world);
   for (const field of Object.keys(here) as (keyof WorldForm)[]) {
+    if (field === 'kept') assertSameKept(form.kept, here.kept);
     const [theirs, ours] = [JSON.stringify(form[field]), JSON.stringify(here[field])];
     if (theirs !== ours) throw differs(field === 'version' ? 'the version of the package' : field, theirs, ours);
   }
 }
 
-function differs(what: string, theirs: string, ours: string): PhysicsError {
+/** Kept objects have no names: the first of one world gets the values of the first of the other, and so on. */
+function assertSameKept(theirs: readonly string[], ours: readonly string[]): void {
+  const hint =
+    'Pass keepState as many objects as in the program that saved, in the same order, and with the same fields. What has other names from game to game belongs in a Map, or in a field of a kept object.';
+  if (theirs.length !== ours.length) {
+    throw differs('the number of objects passed to keepState', String(theirs.length), String(ours.length), hint);
+  }
+  const i = theirs.findIndex((form, at) => form !== ours[at]);
+  if (i >= 0) throw differs(`object[${i}] of those passed to keepState`, theirs[i], ours[i], hint);
+}
+
+function differs(
+  what: string,
+  theirs: string,
+  ours: string,
+  hint = 'Make the world as the one that was saved, with the same options, forces and systems.',
+): PhysicsError {
   return new PhysicsError('E_TYPE', `decodeSnapshot: the world differs in ${what}: ${theirs} saved, ${ours} here.`, {
     field: 'world',
-    hint: 'Make the world as the one that was saved, with the same options, forces and systems.',
+    hint,
   });
 }
 

@@ -10,6 +10,7 @@ import { addPlainObjects, type Content, type Scalars, type Snapshot } from './co
 import { contentsOf, HOLE } from './contents.ts';
 import { isDeeplyFrozen } from './deeply-frozen.ts';
 import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
+import { keptForms } from './keep-state.ts';
 import { type Copy, copyOf, ObjectCopy } from './object-copies.ts';
 import { type ArrayPlace, BytesWriter, isNumberArray } from './packed-bytes.ts';
 import { contentOf } from './snapshot.ts';
@@ -26,6 +27,7 @@ export interface WorldForm {
   readonly integrator: string;
   readonly forces: readonly string[];
   readonly systems: readonly string[];
+  readonly kept: readonly string[];
 }
 
 export interface EncodedSnapshot {
@@ -133,6 +135,7 @@ export function formOf(world: PhysicsWorld): WorldForm {
     integrator: integrator.name,
     forces: forces.map(nameOf),
     systems: PHASES.flatMap((phase) => phases[phase].map((system) => `${phase}: ${nameOfSystem(system)}`)),
+    kept: keptForms(world),
   };
 }
 

@@ -1,6 +1,6 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkObject } from '../errors/validate.ts';
-import { namedResource } from '../memory/resource.ts';
+import { namedResource, ResourceKey } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The name of the resource with the objects to save. */
@@ -9,11 +9,33 @@ export const KEPT = 'kept objects';
 /** The objects to save, in the order in which they were passed. */
 export const keptObjects = namedResource(KEPT, (): object[] => []);
 
-const named = new WeakSet<object>();
+/** The objects that were passed to `keepState`, and what each was then: its kind, and the length or the fields of it. */
+const forms = new WeakMap<object, string>();
 
 /** Returns whether an object was passed to `keepState`, which saves it even if it is an instance of a class. */
 export function isKept(value: object): boolean {
-  return named.has(value);
+  return forms.has(value);
+}
+
+/** The list of the objects, if there is one: unlike `keptObjects` it makes none. */
+export function keptList({ internal }: PhysicsWorld): object[] | undefined {
+  for (const [key, state] of internal.resources) {
+    if (key instanceof ResourceKey && key.name === KEPT) return state as object[];
+  }
+  return undefined;
+}
+
+/** What the kept objects of a world were when they were passed, in their order. */
+export function keptForms(world: PhysicsWorld): string[] {
+  return (keptList(world) ?? []).map((each) => forms.get(each) ?? '');
+}
+
+/** Of a class it has no name, because minifiers change it. */
+function formOf(object: object): string {
+  const kind = Object.prototype.toString.call(object).slice(8, -1);
+  if (ArrayBuffer.isView(object) || object instanceof ArrayBuffer) return `${kind} of ${object.byteLength} bytes`;
+  if (Array.isArray(object) || object instanceof Map || object instanceof Set || object instanceof Date) return kind;
+  return `an object with ${Object.keys(object).sort().join(', ') || 'no field'}`;
 }
 
 /**
@@ -24,11 +46,22 @@ export function isKept(value: object): boolean {
  * `snapshot` throws E_TYPE and names it; `markImmutable` excepts what is no state, such as a picture. Refused as well are
  * regular expressions with the flag g or y, weak maps, properties of arrays that are no elements, and symbols as names. An
  * instance without public fields is not saved. Use it for the state of your own systems: scores, timers, `random.state`.
+ *
+ * What is kept stays kept: an older snapshot, which does not know it, leaves its values as they are, and later snapshots
+ * contain it. An object that is passed again is kept once. Objects that come and go in play belong in a list that is kept.
+ * `decodeSnapshot` finds an object by its number, and compares its kind and fields of the time when it was passed: two
+ * objects with the same fields get each other's values if another program passes them in another order.
  * @throws PhysicsError E_TYPE, E_DESTROYED: no object is added
  */
 export function keepState(world: PhysicsWorld, ...objects: readonly object[]): void {
   assertUsable(world);
   for (const object of objects) checkObject(object, 'keepState: objects');
-  for (const object of objects) named.add(object);
-  keptObjects(world).push(...objects);
+  const list = keptObjects(world);
+  const known = new Set(list);
+  for (const object of objects) {
+    if (known.has(object)) continue;
+    forms.set(object, formOf(object));
+    known.add(object);
+    list.push(object);
+  }
 }

@@ -25,9 +25,8 @@ function takeBack<T extends object>(make: () => T, change: (state: T) => void, s
   const before = structuredClone(show(state));
   change(state);
   restore(world, taken);
-  const changed = make();
-  change(changed);
-  const loaded = keeping(changed);
+  const loaded = keeping(make());
+  change(loaded.state);
   restore(loaded.world, decodeSnapshot(loaded.world, encodeSnapshot(taken)));
   return [before, show(state), show(loaded.state)];
 }
@@ -133,6 +132,32 @@ describe('values that go back', () => {
     };
     expect(takeBack(make, change, sum)).toEqual([199_989_999, 199_989_999, 199_989_999]);
   });
+});
+
+it('an object stays kept when the world goes back to before it was', () => {
+  const { world } = keeping({ round: 1 });
+  const before = snapshot(world);
+  const bytesBefore = encodeSnapshot(before);
+  const score = { points: 1 };
+  keepState(world, score);
+  score.points = 2;
+  restore(world, before);
+  expect(score.points).toBe(2);
+  const later = snapshot(world);
+  score.points = 50;
+  restore(world, later);
+  expect(score.points).toBe(2);
+  // Also where nothing was kept before.
+  const empty = createPhysicsWorld({ capacity: 5 });
+  const first = snapshot(empty);
+  keepState(empty, score);
+  restore(empty, first);
+  const second = snapshot(empty);
+  score.points = 50;
+  restore(empty, second);
+  expect(score.points).toBe(2);
+  // Another program has no place for it.
+  expect(() => decodeSnapshot(empty, bytesBefore)).toThrow('E_TYPE');
 });
 
 describe('immutable states', () => {
