@@ -30,19 +30,21 @@ function fill(world: PhysicsWorld): void {
   assertPresetWorld(world, 'rigidBodies');
   // Allocates the memory immediately, so that a world too small for contacts fails at its creation.
   refuseUnsupported(world);
-  if (!isSoftStep(world.integrator)) world.integrator = defaultFor(world);
+  // Velocity Verlet is what a world has that was given no integrator.
+  if (world.integrator === velocityVerlet) world.integrator = softStep();
+  assertWorld(world);
   rigidTable(world);
   const { phases } = world;
   phases.begin.push(beginStep);
   phases.integrate.push(integrate);
   const potential = jointSpringEnergy;
-  phases.finish.push(validateState, nameSystem('break joints', Object.assign(breakJoints, { potential })));
+  phases.finish.push(validateState, nameSystem('break joints', Object.assign(breakJoints, { potential, assertWorld })));
   phases.events.push(dispatchFaultEvents);
 }
 
-/** Velocity Verlet is what a world has that was given no integrator. */
-function defaultFor({ integrator }: PhysicsWorld) {
-  if (integrator === velocityVerlet) return softStep();
+/** @throws PhysicsError E_RANGE for an integrator that moves bodies through each other, also where it was set later */
+function assertWorld({ integrator }: PhysicsWorld): void {
+  if (isSoftStep(integrator)) return;
   throw new PhysicsError('E_RANGE', `rigid bodies are not solved by ${integrator.name}.`, {
     field: 'integrator',
     hint: 'Leave `integrator` out, or pass softStep({ substeps: 8 }).',

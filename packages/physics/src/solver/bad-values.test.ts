@@ -12,8 +12,11 @@ import {
   rungeKutta4,
   softStep,
   spawn,
+  stateHash,
   step,
   uniformGravity,
+  velocityVerlet,
+  xpbd,
 } from '@principia/physics';
 import { expect, test } from 'vitest';
 
@@ -110,6 +113,30 @@ test('a world too small for rigid bodies, of three dimensions or with another in
   expect(() => createPhysicsWorld({ preset: rigidBodies, dimensions: 3 })).toThrow(refused('E_RANGE'));
   expect(() => createPhysicsWorld({ preset: rigidBodies, integrator: rungeKutta4 })).toThrow(refused('E_RANGE'));
   expect(() => createPhysicsWorld({ preset: rigidBodies, integrator: softStep({ substeps: 2 }) })).not.toThrow();
+});
+
+test.each([
+  ['xpbd', xpbd()],
+  ['velocityVerlet', velocityVerlet],
+  ['rungeKutta4', rungeKutta4],
+])('%s set later refuses the step, and nothing moves until a soft step is set again', (_, integrator) => {
+  const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity()] });
+  spawn(world, { position: { y: -0.5 }, collider: { shape: box(40, 1) } });
+  const crate = spawn(world, { position: { y: 0.5 }, collider: { shape: box(1, 1), density: 100 } });
+  step(world, DT);
+  const before = [world.tick, stateHash(world)];
+  const own = world.integrator;
+  world.integrator = integrator;
+  for (let i = 0; i < 2; i++) {
+    expect(() => step(world, DT)).toThrow(`E_RANGE: rigid bodies are not solved by ${integrator.name}.`);
+  }
+  expect([world.tick, stateHash(world)]).toEqual(before);
+  for (const allowed of [own, softStep({ substeps: 8 })]) {
+    world.integrator = allowed;
+    for (let i = 0; i < 60; i++) step(world, DT);
+  }
+  // It stands within the slop of contacts.
+  expect(Math.abs(world.components.Position.y[crate] - 0.5)).toBeLessThan(0.005);
 });
 
 test.each([undefined, 2 ** 24])(

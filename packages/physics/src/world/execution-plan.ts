@@ -1,7 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkHas, checkList, isRecord } from '../errors/validate.ts';
 import { PHASES, type Phase } from './phases.ts';
-import type { Force, Fusion, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
+import type { Force, Fusion, GlobalSystem, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
 
 /** Hint of errors about values that are not forces. */
 export const FORCE_HINT = 'Create forces with a function such as uniformGravity() or defineForce({ … }).';
@@ -66,7 +66,7 @@ export function checkIntegrator(integrator: unknown, what: string): void {
 
 /**
  * Returns the plan of the world, reused until phases, forces or integrator change.
- * @throws PhysicsError E_TYPE if one of them has the wrong type
+ * @throws PhysicsError E_TYPE if one of them has the wrong type, and what a system refuses
  */
 export function currentPlan(world: PhysicsWorld): Plan {
   const plan = world.internal.plan;
@@ -133,6 +133,7 @@ function makePlan(world: PhysicsWorld): Plan {
   checkForces(world.forces, 'world.forces', world.dimensions);
   checkIntegrator(world.integrator, 'world.integrator');
   for (const phase of PHASES) checkSystems(world.phases[phase], `world.phases.${phase}`);
+  for (const system of world.phases.finish) (system as GlobalSystem).assertWorld?.(world);
   const { counts, partialEntities, recordsContacts } = world.internal;
   const signature: unknown[] = [
     world.integrator,

@@ -189,6 +189,11 @@ export interface GlobalSystem {
   readonly systemName?: string;
   /** Of a system in the phase `finish`: the energy that is stored in what it handles, J, which `energy` adds. Default none. */
   potential?(world: PhysicsWorld): number;
+  /**
+   * Of a system in the phase `finish`: refuses a world that it cannot be used in. Called before the first step, and when the integrator,
+   * the forces or the systems were changed; what it throws refuses the step. Default none.
+   */
+  assertWorld?(world: PhysicsWorld): void;
 }
 
 /** A system that reads and writes only the own row of each body. */
