@@ -23,7 +23,11 @@ export interface SceneOptions {
   readonly precision?: Precision;
   /** Equal seeds and parameters give equal worlds. Default 1. */
   readonly seed?: number;
-  /** Replaces the scene's default integrator. */
+  /**
+   * Replaces the scene's default integrator. Of one of the same name the scene's own is taken, with the scene's parameters, such as the
+   * sub-steps of a cloth. Scenes of rigid bodies take any `softStep({ … })`, which then decides whether bodies sleep, and refuse other
+   * integrators: E_RANGE.
+   */
   readonly integrator?: Integrator;
   /** Called while bodies are created. Default none. */
   readonly progress?: Progress;

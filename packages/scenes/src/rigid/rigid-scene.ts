@@ -1,6 +1,7 @@
 // What the scenes of rigid bodies share. They are arranged as in Box2D's benchmark, in worlds of two dimensions.
 import {
   createPhysicsWorld,
+  type Integrator,
   PhysicsError,
   type PhysicsWorld,
   type PhysicsWorldOptions,
@@ -31,6 +32,8 @@ export interface WorldSetup {
   readonly dimensions: 2 | 3;
   readonly precision: Precision;
   readonly seed: number;
+  /** A `softStep({ … })`, which then decides whether bodies sleep. The world refuses others. */
+  readonly integrator: Integrator | undefined;
   readonly parameters: { readonly sleeping: number };
 }
 
@@ -40,7 +43,7 @@ export interface WorldSetup {
  * @throws PhysicsError E_RANGE for three dimensions
  */
 export function rigidWorld(
-  { dimensions, precision, seed, parameters }: WorldSetup,
+  { dimensions, precision, seed, integrator, parameters }: WorldSetup,
   capacity: number,
   gravity = GRAVITY,
   more: PhysicsWorldOptions = {},
@@ -52,10 +55,9 @@ export function rigidWorld(
       hint: 'Leave `dimensions` out, or take one of circles, gas and bouncing-balls.',
     });
   }
-  const integrator = parameters.sleeping === 1 ? {} : { integrator: softStep({ sleepTime: 0 }) };
   return createPhysicsWorld({
     preset: rigidBodies,
-    ...integrator,
+    integrator: integrator ?? softStep(parameters.sleeping === 1 ? {} : { sleepTime: 0 }),
     precision,
     seed,
     capacity,
