@@ -4,6 +4,7 @@ import {
   boris,
   buoyancy,
   constantTorque,
+  defineForce,
   defineLaw,
   driftKickDrift,
   electricField,
@@ -12,12 +13,16 @@ import {
   type Integrator,
   leapfrog,
   lennardJones,
+  lift,
+  linearDrag,
   magneticField,
   mutualCoulomb,
   mutualGravity,
   paczynskiWiita,
+  pointerPull,
   powerLaw,
   type Restrictions,
+  randomDrive,
   restrictForce,
   rigidBodies,
   rocketEngines,
@@ -26,6 +31,7 @@ import {
   spawn,
   springs,
   step,
+  turbulentDrag,
   uniformGravity,
   uniformSphereGravity,
   velocityVerlet,
@@ -36,6 +42,67 @@ import {
 } from '@principia/physics';
 import { expect, it } from 'vitest';
 import { warnedWorld } from '../support/warned-world.ts';
+
+/** What a world says of forces that act twice. */
+function saidOf(forces: readonly Force[], integrator: Integrator = velocityVerlet): string {
+  const { world, messages } = warnedWorld({ forces, integrator });
+  spawn(world, { position: { x: 1 }, velocity: { x: 0.1 }, mass: 1, charge: 1e-6, linearDrag: 1, lift: 1 });
+  spawn(world, { position: { x: 3 }, mass: 1, charge: 1e-6 });
+  for (let i = 0; i < 2; i++) step(world, 1e-4);
+  return messages()
+    .split('\n')
+    .filter((message) => message.includes('twice with the same parameters'))
+    .join('\n');
+}
+
+const own = defineForce({ name: 'own', accumulate() {} });
+const turbulence = { deviation: 1, largest: 1, modes: 4 };
+
+it.each<[string, () => Force]>([
+  ['uniform gravity', () => uniformGravity()],
+  ['linear drag', () => linearDrag()],
+  ['springs', () => springs()],
+  ['attractors', () => attractors()],
+  ['attractors', () => attractors({ lightSpeed: 1e3 })],
+  ['mutual gravity', () => mutualGravity({ G: 1 })],
+  ['mutual Coulomb', () => mutualCoulomb({ softening: 0.1 })],
+  ['fixed charges', () => fixedCharges()],
+  ['lift', () => lift()],
+  ['lift', () => lift({ wind: { x: 2 } })],
+  ['random drive', () => randomDrive({ spectralDensity: 1, seed: 3 })],
+  ['turbulent drag', () => turbulentDrag({ ...turbulence, seed: 3 })],
+  ['uniform gravity (restricted)', () => restrictForce(uniformGravity(), { from: 1, until: 2 })],
+])('names %s that is listed twice, and once it says nothing', (name, make) => {
+  expect(saidOf([make()])).toBe('');
+  const message = `the force "${name}" is in \`world.forces\` twice with the same parameters, and acts twice.`;
+  expect(saidOf([make(), make()])).toBe(message);
+});
+
+it.each<[string, Force]>([
+  ['pointer pull', pointerPull()],
+  ['own', own],
+  ['springs (restricted)', restrictForce(springs(), { group: 'Charge' })],
+  ['linear drag', linearDrag((time) => ({ x: time }))],
+])('names one and the same %s that is listed twice', (name, force) => {
+  expect(saidOf([force, force])).toContain(`the force "${name}"`);
+});
+
+it.each<[string, Force, Force]>([
+  ['springs of two groups', restrictForce(springs(), { group: 'Charge' }), restrictForce(springs(), { group: 'Lift' })],
+  ['attractors with other horizons', attractors(), attractors({ lightSpeed: 1e3 })],
+  ['gravity with two softenings', mutualGravity({ softening: 0.1 }), mutualGravity({ softening: 0.2 })],
+  ['gravity of two laws', mutualGravity(), mutualGravity({ law: 'inverse-distance' })],
+  ['noise of two seeds', randomDrive({ spectralDensity: 1, seed: 1 }), randomDrive({ spectralDensity: 1, seed: 2 })],
+  ['noise without seeds', randomDrive({ spectralDensity: 1 }), randomDrive({ spectralDensity: 1 })],
+  ['turbulence of two seeds', turbulentDrag(turbulence), turbulentDrag({ ...turbulence, seed: 2 })],
+  ['two pointers', pointerPull(), pointerPull()],
+  ['lift along two spans', lift({ frame: 'body' }), lift()],
+  ['lift in two winds', lift({ wind: { x: 2 } }), lift({ wind: { x: 3 } })],
+  ['functions of one’s own', own, defineForce({ name: 'own', accumulate() {} })],
+  ['winds that are functions', linearDrag((time) => ({ x: time })), linearDrag((time) => ({ x: 2 * time }))],
+])('says nothing of %s', (_, a, b) => {
+  expect(saidOf([a, b])).toBe('');
+});
 
 it('names two constants of gravity that differ, and no others', () => {
   const warned = (own: { G?: number }, ...Gs: number[]) => {

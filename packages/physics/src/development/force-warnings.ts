@@ -18,24 +18,49 @@ export function warnAboutForces(world: PhysicsWorld, dt: number): void {
 }
 
 function warnAboutRepeatedForces(world: PhysicsWorld): void {
-  const known = new Set<string>();
+  const known = new Set<string | Force>();
+  const tables: object[] = [];
   for (const force of world.forces) {
-    const key = signatureOf(world, force);
-    if (key !== undefined && known.has(key)) {
+    const key = signatureOf(world, force, tables);
+    if (known.has(force) || (key !== undefined && known.has(key))) {
       warnOnce(world, {
         message: `the force "${force.name}" is in \`world.forces\` twice with the same parameters, and acts twice.`,
         hint: 'Remove one of them.',
       });
     }
+    known.add(force);
     if (key !== undefined) known.add(key);
   }
 }
 
-/** Identifies laws with equal constants, those of `restrictForce` included. Functions of a user may differ in what they compute. */
-function signatureOf(world: PhysicsWorld, force: Force): string | undefined {
-  const { name, law, sources = [] } = force;
-  if (law === undefined || sources.some(({ when }) => when !== 'once')) return undefined;
-  return JSON.stringify([name, law.structure, constantsOf(world, force)]);
+/** Forces without a law that all their parameters and the equation tell apart: those of others hide what they act on. */
+const PLAIN = ['springs', 'mutual gravity', 'mutual Coulomb'];
+
+/**
+ * Identifies forces that do the same: laws with equal constants and equal values of the world, such as the seed of noise, those of
+ * `restrictForce` included. Functions of a user may differ in what they compute, and tables in what they will contain.
+ * @param tables the functions that find tables, in the order in which they were met
+ */
+function signatureOf(world: PhysicsWorld, force: Force, tables: object[]): string | undefined {
+  const { name, equation, law, parameters, sources = [] } = force;
+  if (law === undefined) return PLAIN.includes(name) ? JSON.stringify([name, equation, parameters]) : undefined;
+  if (sources.some(({ when }) => when === 'stage')) return undefined;
+  const values = constantsOf(world, force);
+  law.parameters.forEach((parameter, i) => {
+    if (!('fields' in parameter)) return;
+    const { write } = sources[i];
+    // The waves are in memory of each force, and follow from its options.
+    if (name === 'turbulent drag') values[i] = rowsOf(world, values[i]);
+    else values[i] = [tables.includes(write) ? tables.indexOf(write) : tables.push(write) - 1];
+  });
+  return JSON.stringify([name, law.structure, values]);
+}
+
+/** Numbers of a wave of `turbulentDrag`. */
+const WAVE = 8;
+
+function rowsOf({ memory }: PhysicsWorld, [at, count]: readonly number[]): number[] {
+  return [...new Float64Array(memory.buffer, at, WAVE * count)];
 }
 
 /** What the parameters of a law are now. */
