@@ -109,6 +109,12 @@ describe.each(KINDS)('position and velocity, $dimensions D $precision', (kind) =
     const eid = ball(world, 0, 1);
     world.components.Position.x[eid] = NaN;
     step(world, DT);
+    // Valid values in the columns move it, and it goes on to rest.
+    world.components.Velocity.x[eid] = 1;
+    world.components.Position.x[eid] = 1;
+    for (let i = 0; i < 2; i++) step(world, DT);
+    expect(world.internal.counts.Quarantined).toBe(1);
+    expect([world.components.Position.x[eid], world.components.Velocity.x[eid]]).toEqual([1, 0]);
     addComponent(world, eid, set(world.components.Position, { x: 2 }));
     expect(world.internal.counts.Quarantined).toBe(0);
     step(world, DT);
