@@ -2,6 +2,7 @@
 import {
   box,
   contactEvents,
+  contactPoints,
   createPhysicsWorld,
   despawn,
   rigidBodies,
@@ -67,4 +68,27 @@ test('a contact that begins has its point, normal, speed of approach, and the im
   if (hit.count === 0) step(world, 1 / 60);
   expect(hit.speed[0]).toBeCloseTo(4, 6);
   expect(hit.impulse[0]).toBeCloseTo(mass * (4 - world.components.Velocity.x[ball]), 6);
+});
+
+test.each([
+  [0.019, 1],
+  [0.021, 0],
+])('a box that hovers %d m above the ground begins %d contacts, ends none, and presses on nothing', (gap, begins) => {
+  const world = createPhysicsWorld({ preset: rigidBodies, capacity: 100 });
+  spawn(world, { position: { y: -0.5 }, collider: { shape: box(10, 1) } });
+  spawn(world, {
+    position: { y: 0.025 + gap },
+    velocity: { x: 0.01 },
+    collider: { shape: box(0.05, 0.05), density: 1 },
+  });
+  const events = contactEvents(world);
+  const counts = { begin: 0, end: 0 };
+  for (let i = 0; i < 60; i++) {
+    step(world, DT);
+    for (const name of ['begin', 'end'] as const) counts[name] += events[name].count;
+    for (let k = 0; k < events.begin.count; k++) expect(events.begin.impulse[k]).toBe(0);
+    const { count, impulse } = contactPoints(world);
+    for (let k = 0; k < count; k++) expect(impulse[k]).toBe(0);
+  }
+  expect(counts).toEqual({ begin: begins, end: 0 });
 });

@@ -35,9 +35,9 @@ export interface ContactHits extends ContactPairs {
 
 /** The events of the last step. The arrays are reused by every step. */
 export interface ContactEvents {
-  /** Bodies that began to touch, or came within 2 cm. */
+  /** Bodies that began to touch, or came within 2 cm: those have an impulse of 0, here and in `contactPoints`. */
   readonly begin: ContactHits;
-  /** Bodies that no longer touch; one of them may be gone. Pairs that ended because they drifted apart come first. */
+  /** Bodies that parted, at 2 to 7 cm if they go slowly; one of them may be gone. Pairs that ended because they drifted apart come first. */
   readonly end: ContactPairs;
   /** Impacts faster than the `hitSpeed` of the integrator. */
   readonly hit: ContactHits;
