@@ -26,8 +26,8 @@ Every joint with its options, units and defaults, made from the source. How join
 their springs are is on the page of [rigid bodies](rigid-bodies.md#joints); how one is added to the package in
 [adding a joint](adding-a-joint.md).
 
-\`createJoint(world, revolute({ … }))\` returns the id of the joint, an entity that \`despawn\` removes. Options are checked when the
-function is called, and bodies when the joint is created. Afterwards everything is in [the columns of \`Joint\`](components.md#joint), which
+\`createJoint(world, revolute({ … }))\` returns the id of the joint, an entity that \`despawn\` removes. Each option is checked when the
+function is called, and what two of them say together, such as a lower limit above the upper one, as well as bodies, by \`createJoint\`. Afterwards everything is in [the columns of \`Joint\`](components.md#joint), which
 may be changed at any time. A vector is \`{ x, y }\`, with 0 for what is left out. Points and directions are given in world coordinates as
 the bodies are now.
 

@@ -25,7 +25,7 @@ const SQUARE = [
 ];
 
 describe('shapes', () => {
-  it('33 sizes below a hundredth of a millimetre are refused', () => {
+  it('33 shapes smaller than a hundredth of a millimetre are refused', () => {
     for (const make of [() => box(1e-6, 1), () => capsule(1, 1e-7)]) expect(refusal(make).code).toBe('E_RANGE');
   });
 

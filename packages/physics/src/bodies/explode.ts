@@ -11,6 +11,7 @@ import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { ANY, LENGTH_BOUNDS, POSITION_BOUNDS } from '../forces/support/bounds.ts';
+import { pow } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 export interface ExplosionOptions {
@@ -20,7 +21,7 @@ export interface ExplosionOptions {
   readonly impulse: number;
   /** Radius R, m. */
   readonly radius: number;
-  /** Exponent n: 0 is uniform within R, 1 (default) falls linearly to zero at R, 2 and above fall more steeply. */
+  /** Exponent n, 0 to 16: 0 is uniform within R, 1 (default) falls linearly to zero at R, above 1 it falls more steeply. */
   readonly falloff?: number;
   /** Layers, one bit each: bodies that are on none of them are left out. What has no collider is on all. Default all. */
   readonly mask?: number;
@@ -37,7 +38,7 @@ export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
   const centre = checkVector(options.centre ?? {}, 'explode.centre', POSITION_BOUNDS);
   const impulse = checkNumber(options.impulse, 'explode.impulse', ANY);
   const radius = checkNumber(options.radius, 'explode.radius', LENGTH_BOUNDS);
-  const falloff = checkWhole(options.falloff ?? 1, 'explode.falloff', 0, 16);
+  const falloff = checkNumber(options.falloff ?? 1, 'explode.falloff', { min: 0, max: 16 });
   const mask = checkWhole(options.mask ?? 0xffffffff, 'explode.mask', 0, 0xffffffff, BITS_HINT);
   const { Mass, Position, Velocity: v } = world.components;
   const isSolid = world.dimensions === 3;
@@ -50,7 +51,9 @@ export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
     const d = Math.sqrt(x * x + y * y + z * z);
     if (!(d > 0) || d >= radius) continue;
     let factor = impulse / (mass * d);
-    for (let i = 0; i < falloff; i++) factor *= 1 - d / radius;
+    const whole = Math.floor(falloff);
+    for (let i = 0; i < whole; i++) factor *= 1 - d / radius;
+    if (falloff > whole) factor *= pow(1 - d / radius, falloff - whole);
     v.x[id] += factor * x;
     v.y[id] += factor * y;
     if (isSolid) v.z[id] += factor * z;

@@ -78,9 +78,13 @@ describe('impulses', () => {
     [0, 3, 2, 0.1, 0, 0].forEach((v, i) => {
       expect(speeds[i]).toBeCloseTo(v, 12);
     });
+    // (1 - d/R)^1.5 = 1/8 at d = 3 R/4.
+    explode(world, { centre: { x: 1 }, impulse: 16, radius: 4, falloff: 1.5 });
+    expect(world.components.Velocity.x[at[4]] - speeds[4]).toBeCloseTo(1, 12);
     explode(world, { centre: { y: 3 }, impulse: -2, radius: 100, falloff: 0 });
     expect(world.components.Velocity.y[at[0]]).toBeCloseTo(1, 12);
     expect(() => explode(world, { impulse: 1, radius: -1 })).toThrow(PhysicsError);
+    for (const falloff of [-1, 17]) expect(() => explode(world, { impulse: 1, radius: 1, falloff })).toThrow('E_RANGE');
   });
 
   test('an explosion with a mask leaves out colliders on other layers', () => {
