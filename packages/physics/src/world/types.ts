@@ -183,16 +183,12 @@ export interface Integrator {
 export interface GlobalSystem {
   (world: PhysicsWorld, dt: number): void;
   /**
-   * What `decodeSnapshot` compares, where a function has it: `Object.assign(run, { systemName: 'score' })`. The name of the
-   * function is not compared, because minifiers change it. Default none: the systems of each phase are counted.
+   * What `decodeSnapshot` compares, as minifiers change names: `Object.assign(run, { systemName: 'score' })`. Default none: it counts.
    */
   readonly systemName?: string;
   /** Of a system in the phase `finish`: the energy that is stored in what it handles, J, which `energy` adds. Default none. */
   potential?(world: PhysicsWorld): number;
-  /**
-   * Of a system in the phase `finish`: refuses a world that it cannot be used in. Called before the first step, and when the integrator,
-   * the forces or the systems were changed; what it throws refuses the step. Default none.
-   */
+  /** Of a system in the phase `finish`: throws where it cannot be used. Called when forces, systems or the integrator changed. */
   assertWorld?(world: PhysicsWorld): void;
 }
 
