@@ -14,8 +14,8 @@ import {
 } from './body-query.ts';
 
 /**
- * Returns the first body or wall that a ray enters, and where. A ray that starts inside one does not enter it. Tests every
- * body with a collider, where it is now.
+ * Returns the first body or wall that a ray enters, and where. A ray that starts inside one does not enter it; a segment or a chain is
+ * met from both sides. Bodies with a collider are met where they are now; those far from the ray cost little where trees find them.
  * @param from start of the ray, m
  * @param to end of the ray, m
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_UNKNOWN, E_RANGE (also in three dimensions), E_CAPACITY, E_DESTROYED
