@@ -176,3 +176,16 @@ test('a locked body is where it is put, and stays there', () => {
   run(world, 0.5);
   expect([world.components.Position.x[body], world.components.Velocity.x[body]]).toEqual([7, 0]);
 });
+
+test('a body is held in the air by velocities of 0 and the mark', () => {
+  const world = rigidWorld();
+  const falling = spawn(world, { position: { y: 9 }, angularVelocity: 2, collider: { shape: box(1, 1), density: 1 } });
+  run(world, 0.5);
+  const { Position, Rotation, Velocity, AngularVelocity, Kinematic } = world.components;
+  for (const column of [Velocity.x, Velocity.y, AngularVelocity.z]) column[falling] = 0;
+  addComponent(world, falling, Kinematic);
+  const pose = () => [Position.x[falling], Position.y[falling], Rotation.angle[falling]];
+  const before = pose();
+  run(world, 1);
+  expect(pose()).toEqual(before);
+});
