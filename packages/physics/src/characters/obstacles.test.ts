@@ -40,6 +40,21 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(falling.y).toBeCloseTo(10 - (G * 60 * 61 * DT * DT) / 2, 3);
   });
 
+  test.each([0, 0.3, 0.5])('a wall of flush tiles, %f m up, holds a jump and a fall no more than none does', (offset) => {
+    const heights = [false, true].map((tiled) => {
+      const world = worldWithFloor({ precision });
+      for (let i = -10; tiled && i < 20; i++) {
+        spawn(world, { position: { x: 1, y: i + offset }, collider: { shape: box(1, 1) } });
+      }
+      const id = addCharacter(world, 0.5 - RADIUS - MARGIN, STANDS);
+      const against = (i: number) => ({ ...right(3)(i), ...(i === 0 ? { jump: 12 } : {}) });
+      return walk(world, id, 120, against);
+    });
+    // The same additions, but for roundings of the horizontal part that an oblique normal would turn.
+    heights[1].heights.forEach((height, i) => expect(height).toBeCloseTo(heights[0].heights[i], 4));
+    for (const { nx, ny } of heights[1].motion.contacts) expect(Math.abs(nx * ny)).toBeLessThan(1e-6);
+  });
+
   test('a ceiling ends a jump', () => {
     const world = worldWithFloor({ precision });
     spawn(world, { position: { y: 2.5 }, collider: { shape: box(4, 1) } });

@@ -11,6 +11,12 @@ import { bodyBehind, isMovable, velocityAt } from './surface-body.ts';
 /** How far around the character bodies are looked at that come nearer, as a part of its radius. */
 const APPROACH = 0.5;
 
+/** One minus the cosine of the angle below which two surfaces are parallel. */
+const PARALLEL = 1e-6;
+
+/** How far surfaces that are flush may be out of line, as a part of the margin. */
+const FLUSH = 0.1;
+
 /** Distance of two surfaces at which `castShape` says that they have met, m. */
 const MEETING_DISTANCE = 1e-4;
 
@@ -40,7 +46,26 @@ export function touchedSurfaces(character: Character, position: Vector2): Surfac
   visitWalls(query, (wall) => {
     if (kernels.isNearWall(at, shapeAt) === 1) consider(wall, true);
   });
-  return surfaces;
+  return surfaces.length < 2 ? surfaces : withoutHidden(character, surfaces, position);
+}
+
+/**
+ * Leaves out the corners that are no further out than the plane of a surface that is nearer: of a wall of flush tiles the
+ * corners of the next ones. What keeps off the plane meets none of them, but a line through one would turn it aside.
+ */
+function withoutHidden(character: Character, surfaces: readonly Surface[], position: Vector2): Surface[] {
+  const gaps = surfaces.map((surface) => gapTo(surface, position));
+  const hides = (front: Surface, surface: Surface) => isBehind(character, surface, front);
+  return surfaces.filter((surface, i) => !surfaces.some((front, k) => gaps[k] < gaps[i] && hides(front, surface)));
+}
+
+/** Whether the nearest point of a surface is no further out than the plane of another one, nor will be after the step. */
+function isBehind({ world, dt, margin }: Character, { id, point, normal }: Surface, front: Surface): boolean {
+  // Of parallel surfaces none turns the movement, and all are touched.
+  if (dot(normal, front.normal) > 1 - PARALLEL) return false;
+  const relative = plus(velocityAt(world, id, point), velocityAt(world, front.id, front.point), -1);
+  const out = dot(plus(point, front.point, -1), front.normal);
+  return out + Math.max(0, dot(relative, front.normal) * dt) <= FLUSH * margin;
 }
 
 /**
