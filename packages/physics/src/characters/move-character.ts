@@ -8,7 +8,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { type Character, type CharacterOptions, checkCharacter } from './character.ts';
 import { groundBelow, heightAbove, isGround, mostLevel, recedingGround } from './ground.ts';
 import { pushBodies } from './push-bodies.ts';
-import { type Slide, slide, stopped } from './slide.ts';
+import { type Slide, slide, stopped, stoppedOnGround } from './slide.ts';
 import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
 import { bodyBehind, carryingVelocity, isMovable } from './surface-body.ts';
 import { firstMeeting, touchedSurfaces } from './surroundings.ts';
@@ -157,7 +157,7 @@ function motionAt(
   }
   const level = plus(relative, up, -dot(relative, up));
   return {
-    velocity: stopped(character, position, level, walls),
+    velocity: stoppedOnGround(character, level, ground, walls),
     grounded: true,
     ground: ground.id,
     normal: ground.normal,

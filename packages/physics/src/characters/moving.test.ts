@@ -5,6 +5,7 @@ import {
   distance,
   moveCharacter,
   restore,
+  revolute,
   snapshot,
   spawn,
   stateHash,
@@ -17,6 +18,7 @@ import {
   capsuleOf,
   MARGIN,
   RADIUS,
+  right,
   STANDS,
   walk,
   worldWithFloor,
@@ -92,6 +94,25 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     walk(world, id, 600);
     const stiffness = Mass.value[plate] * (2 * Math.PI * 3) ** 2;
     expect(unloaded - Position.y[plate]).toBeCloseTo((Mass.value[id] * G) / stiffness, 3);
+  });
+
+  test.each([2, 200])('it passes a door of %f kg/m² that hangs over its head', (density) => {
+    const world = worldWithFloor({ precision });
+    const door = spawn(world, { position: { x: 3, y: 1.6 }, rotation: {}, collider: { shape: box(0.1, 1.2), density } });
+    createJoint(world, revolute({ b: door, anchor: { x: 3, y: 2.2 } }));
+    const id = addCharacter(world, 0, STANDS);
+    const { x, heights } = walk(world, id, 120, right(3));
+    // Alone it walks 6 m; the door, of 0.24 or 24 kg beside its 76 kg, may hold it for a moment.
+    expect(x).toBeGreaterThan(5.5);
+    expect(Math.min(...heights)).toBeCloseTo(STANDS, 3);
+  });
+
+  test('a ceiling that comes down over its head stops it, and does not press it down step by step', () => {
+    const world = worldWithFloor({ precision });
+    // Its end is at 1.2 m, where the round head is already narrower: the normal points down and back.
+    spawn(world, { position: { x: 4, y: 2.2 }, collider: { shape: box(4, 2) } });
+    const { motion } = walk(world, addCharacter(world, 0, STANDS), 120, right(3));
+    expect(motion).toMatchObject({ grounded: true, velocity: { x: 0, y: 0 } });
   });
 
   test('one without mass pushes nothing', () => {

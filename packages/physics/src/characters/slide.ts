@@ -71,7 +71,22 @@ function asWall(character: Character, surface: Surface, position: Vector2): Surf
   return [{ ...surface, normal, offset: dot(normal, position) }];
 }
 
-/** A velocity without its parts into the surfaces that a character touches and that are no ground. */
+/**
+ * A velocity over the ground, without an upward part: zero if a wall is in the way along the ground. A wall that leans over the
+ * character stops it as another does: to turn it down, as in the air, would press it into the ground, step after step.
+ */
+export function stoppedOnGround(
+  { right }: Character,
+  velocity: Vector2,
+  ground: Surface,
+  walls: readonly Surface[],
+): Vector2 {
+  const speed = dot(velocity, right);
+  const along = { x: ground.normal.y * speed, y: -ground.normal.x * speed };
+  return walls.some(({ normal }) => dot(normal, along) < -ROUNDING * Math.abs(speed)) ? ZERO : velocity;
+}
+
+/** A velocity in the air, without its parts into the surfaces that a character touches and that are no ground. */
 export function stopped(
   character: Character,
   position: Vector2,
