@@ -53,6 +53,17 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(x - RADIUS - (world.components.Position.x[wall] + 0.5)).toBeCloseTo(MARGIN, 3);
   });
 
+  test.each([0.5, 0.9, 0.995])('a wall that comes by %f of its radius a step pushes it, at whatever phase', (part) => {
+    const speed = (part * RADIUS) / DT;
+    for (let phase = 0; phase < 1; phase += 0.125) {
+      const world = worldWithFloor({ precision });
+      const position = { x: -3 + phase * speed * DT, y: 2 };
+      const wall = spawn(world, { position, velocity: { x: speed }, collider: { shape: box(1, 3.9) } });
+      const { x } = walk(world, addCharacter(world, 0, STANDS), 30);
+      expect(x - RADIUS - (world.components.Position.x[wall] + 0.5)).toBeCloseTo(MARGIN, 3);
+    }
+  });
+
   test('between two walls that close it stays finite, and moves no faster than by its radius a step', () => {
     const world = worldWithFloor({ precision });
     for (const side of [-1, 1]) {

@@ -33,8 +33,8 @@ export function slide(
   touched = touchedSurfaces(character, start),
 ): Slide {
   const { shape, up, right, margin } = character;
-  // Out of what it overlaps it gets by its radius in a step.
-  const maxChange = lengthOf(wanted.x, wanted.y) + shape.radius;
+  // Out of what it overlaps it gets by its radius in a step, and by the margin.
+  const maxChange = lengthOf(wanted.x, wanted.y) + shape.radius + margin;
   let position = start;
   let target = plus(start, wanted);
   const met: Surface[] = [];

@@ -8,8 +8,8 @@ import { isObstacle } from './obstacles.ts';
 import { dot, gapTo, plus, type Surface, type Vector2 } from './surface.ts';
 import { bodyBehind, isMovable, velocityAt } from './surface-body.ts';
 
-/** How far around the character bodies are looked at that come nearer, as a part of its radius. */
-const APPROACH = 0.5;
+/** How far around the character bodies are looked at that come nearer, as a part of its radius: by so much they push it. */
+const APPROACH = 1;
 
 /** One minus the cosine of the angle below which two surfaces are parallel. */
 const PARALLEL = 1e-6;
