@@ -50,7 +50,7 @@ const SPEED_BOUNDS = { min: -MAX_SPEED, max: MAX_SPEED };
 /**
  * Moves a kinematic body as a character, along what it meets and not into it: sets its velocity so that the next step, of
  * length `dt`, carries it there. Call it once before each step. The body needs a round shape, such as an upright capsule. Only
- * what its collider collides with stops it. If it has a mass it pushes bodies as if it were one; nothing pushes it.
+ * what its collider collides with stops it. If it has a mass it pushes bodies as if it were one; none with mass pushes it.
  * @param velocity that the character wants, m/s, with gravity, as in `CharacterMotion`: a jump is a velocity upwards
  * @param dt length of the next step, s
  * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_UNKNOWN, E_CAPACITY, E_DESTROYED; E_RANGE also for a body that is not

@@ -126,6 +126,23 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(motion).toMatchObject({ grounded: true, velocity: { x: 0, y: 0 } });
   });
 
+  test.each([5, 500])('a crate of %f kg that falls on its head, or hits it, does not move it', (density) => {
+    const hits = [
+      { position: { x: 0.02, y: 4 }, velocity: {} },
+      { position: { x: -6, y: 0.5 }, velocity: { x: 20 } },
+    ];
+    for (const hit of hits) {
+      const world = worldWithFloor({ precision });
+      const crate = spawn(world, { ...hit, rotation: {}, collider: { shape: box(1, 1), density, friction: 0.6 } });
+      const id = addCharacter(world, 0, STANDS);
+      const { x, y } = walk(world, id, 240);
+      // It asks for nothing, so that it stays, to the rounding of the casts that keep it off the floor.
+      expect(x).toBeCloseTo(0, 6);
+      expect(y).toBeCloseTo(STANDS, 3);
+      expect(Math.abs(world.components.Position.x[crate])).toBeGreaterThan(0.5 + RADIUS - MARGIN);
+    }
+  });
+
   test('one without mass pushes nothing', () => {
     const world = rigidWorld({ precision, forces: [] });
     const id = spawn(world, { ...BODY, position: {}, collider: { shape: capsuleOf() } });

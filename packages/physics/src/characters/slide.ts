@@ -3,7 +3,8 @@ import { lengthOf } from '../collision/shapes/2d/shape.ts';
 import type { Character } from './character.ts';
 import { isGround } from './ground.ts';
 import { nearestDisplacement } from './nearest-displacement.ts';
-import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
+import { dot, gapTo, plus, type Surface, type Vector2, ZERO } from './surface.ts';
+import { bodyBehind, isMovable } from './surface-body.ts';
 import { firstMeeting, touchedSurfaces } from './surroundings.ts';
 
 /** Surfaces that a character meets in one step at most: what it would do after the last is left out. */
@@ -23,7 +24,7 @@ export interface Slide {
 
 /**
  * Moves a character by a displacement, or as near to it as it gets without entering anything. What is too near at the start
- * pushes it away. Slopes that are too steep lift it no more than walls do. One that falls on ground stops falling there.
+ * pushes it away, if it is ground or does not yield. Slopes that are too steep lift it no more than walls do. One that falls on ground stops falling there.
  * @param touched the surfaces that it touches at the start
  */
 export function slide(
@@ -46,7 +47,8 @@ export function slide(
       target = plus(position, right, dot(rest, right));
     }
     const walls = surfaces.filter((surface) => !isGround(character, surface, position));
-    const constraints = [...surfaces, ...walls.flatMap((surface) => asWall(character, surface, position))];
+    const solid = surfaces.map((surface) => (walls.includes(surface) ? held(character, surface, position) : surface));
+    const constraints = [...solid, ...walls.flatMap((surface) => asWall(character, surface, position))];
     const displacement = nearestDisplacement(position, plus(target, position, -1), constraints, maxChange);
     if (lengthOf(displacement.x, displacement.y) < TINY * margin) break;
     const meeting = firstMeeting(character, position, displacement);
@@ -55,6 +57,12 @@ export function slide(
     met.push(meeting.surface);
   }
   return { end: position, surfaces };
+}
+
+/** A wall of a body that yields holds the character, but does not push it: the contact pushes the body out of the character. */
+function held({ world }: Character, surface: Surface, position: Vector2): Surface {
+  if (gapTo(surface, position) >= 0 || !isMovable(world, bodyBehind(world, surface.id))) return surface;
+  return { ...surface, offset: dot(surface.normal, position) };
 }
 
 function lands(character: Character, surface: Surface, position: Vector2, rest: Vector2): boolean {
