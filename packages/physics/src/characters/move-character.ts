@@ -9,9 +9,9 @@ import { type Character, type CharacterOptions, checkCharacter } from './charact
 import { groundBelow, heightAbove, isGround, mostLevel, recedingGround } from './ground.ts';
 import { pushBodies } from './push-bodies.ts';
 import { type Slide, slide, stopped, stoppedOnGround } from './slide.ts';
-import { dot, plus, type Surface, type Vector2, ZERO } from './surface.ts';
+import { dot, gapTo, plus, type Surface, type Vector2, ZERO } from './surface.ts';
 import { bodyBehind, carryingVelocity, isMovable } from './surface-body.ts';
-import { firstMeeting, touchedSurfaces } from './surroundings.ts';
+import { approachOf, firstMeeting, touchedSurfaces } from './surroundings.ts';
 
 /** What a character touches. */
 export interface CharacterContact {
@@ -102,9 +102,22 @@ function walk(character: Character, start: Vector2, ground: Surface, own: Vector
   const straight = slide(character, start, wanted, nearby);
   const moved = climb(character, start, wanted, straight) ?? straight;
   const below = groundBelow(character, moved.end, snapDistance);
-  if (below !== undefined) return { end: below.position, surfaces: moved.surfaces };
+  if (below !== undefined) {
+    // Out of the way of a lift that comes up through this ground it does not go back.
+    const rise = nearby.reduce((most, surface) => Math.max(most, riseBy(character, surface, below.position)), 0);
+    const height = dot(plus(moved.end, below.position, -1), up);
+    return { end: plus(below.position, up, Math.min(rise, height)), surfaces: moved.surfaces };
+  }
   const fallen = slide(character, moved.end, plus(ZERO, up, dot(own, up) * dt));
   return { end: fallen.end, surfaces: [...moved.surfaces, ...fallen.surfaces] };
+}
+
+/** How far a surface that comes nearer lifts a character in the step, m; 0 if there is room. */
+function riseBy(character: Character, surface: Surface, position: Vector2): number {
+  const upward = dot(surface.normal, character.up);
+  const gap = gapTo(surface, position);
+  if (gap >= 0 || upward < character.minUpward) return 0;
+  return Math.min(-gap, approachOf(character, surface.id, surface.point, surface.normal)) / upward;
 }
 
 /** Part of a wanted displacement below which something is in the way. */

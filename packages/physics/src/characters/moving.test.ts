@@ -40,6 +40,21 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(jumped.motion.velocity.y).toBeCloseTo(4.5, 6);
   });
 
+  test.each([
+    [1, true],
+    [2, true],
+    [8, true],
+    [8, false],
+  ])('a lift that comes up through the floor at %f m/s carries it, one-way: %s', (y, oneWay) => {
+    const world = worldWithFloor({ precision });
+    const shape = box(0.6, 0.2);
+    const lift = spawn(world, { position: { y: -1 }, velocity: { y }, kinematic: {}, collider: { shape, oneWay } });
+    const carried = walk(world, addCharacter(world, 0, STANDS), Math.round(2 / y / DT) + 30);
+    expect(carried.y - world.components.Position.y[lift] - 0.1).toBeCloseTo(STANDS, 3);
+    expect(carried.motion).toMatchObject({ grounded: true, ground: lift });
+    expect(carried.grounded).not.toContain(false);
+  });
+
   test('a conveyor belt carries it', () => {
     const world = rigidWorld({ precision });
     spawn(world, { position: { y: -0.5 }, collider: { shape: box(20, 1), tangentSpeed: 1.5 } });
