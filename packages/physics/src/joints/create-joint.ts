@@ -152,6 +152,7 @@ export function breakJoints(world: PhysicsWorld): void {
 
 /**
  * Returns the largest force that a joint exerted in the last step, N: of its locked directions, spring, motor and limits.
+ * A pulley with a ratio pulls its two bodies differently: this is the force on b.
  * @throws PhysicsError E_STALE when there is no joint with this id, E_DESTROYED
  */
 export function jointForce(world: PhysicsWorld, joint: number): number {

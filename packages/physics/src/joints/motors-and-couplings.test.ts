@@ -67,10 +67,13 @@ describe.each(['f32', 'f64'] as const)('couplings in %s', (precision) => {
     const world = worldOfTen({ precision });
     const a = disc(world, -2, 0, 1);
     const b = disc(world, 2, 0, 2);
-    createJoint(world, pulley({ a, b, ratio: 2, pulleyA: { x: -2, y: 10 }, pulleyB: { x: 2, y: 10 } }));
+    const ends = { pulleyA: { x: -2, y: 10 }, pulleyB: { x: 2, y: 10 } };
+    const rope = createJoint(world, pulley({ a, b, ratio: 2, ...ends }));
     run(world, 2);
     expect(Math.abs(world.components.Position.y[a])).toBeLessThan(1e-3);
     expect(Math.abs(world.components.Position.y[b])).toBeLessThan(1e-3);
+    // The force on b, which bears 2 kg.
+    expect(Math.abs(jointForce(world, rope) / (2 * G) - 1)).toBeLessThan(1e-3);
   });
 
   test('the rope of a pulley pulls and never pushes', () => {

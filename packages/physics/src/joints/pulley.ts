@@ -19,7 +19,8 @@ export interface PulleyOptions extends EveryJointOptions {
 }
 
 /**
- * A rope over two wheels. It pulls both bodies, and may be slack.
+ * A rope over two wheels. It pulls both bodies, and may be slack. `jointForce` and `breakForce` are the force on b, which is
+ * `ratio` times that on a.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function pulley(options: PulleyOptions): JointInput {
