@@ -97,6 +97,28 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(y).toBeCloseTo(1.55 + STANDS, 4);
   });
 
+  test('one that jumps not quite through a one-way platform, or starts to fall through it, falls as if it were free', () => {
+    const fall = (oneWay: boolean) => {
+      const world = worldWithFloor({ precision });
+      if (oneWay) spawn(world, { position: { y: 1.5 }, collider: { shape: box(3, 0.1), oneWay } });
+      // Its feet rise to 1.43 m, in a platform with its top at 1.55 m.
+      return walk(world, addCharacter(world, 0, STANDS), 90, (i) => (i === 0 ? { jump: 5.2 } : {})).heights;
+    };
+    const free = fall(false);
+    fall(true).forEach((height, i) => expect(height).toBeCloseTo(free[i], 6));
+
+    const world = worldWithFloor({ precision });
+    spawn(world, { position: { y: 3 }, collider: { shape: box(4, 0.1), oneWay: true, layers: 2 } });
+    const id = addCharacter(world, 0, 3.05 + STANDS, { mask: 3 });
+    const { mask } = world.components.Collider;
+    const { y } = walk(world, id, 90, (i) => {
+      // Until it is more than two margins lower: 5 steps are g t²/2 > 3 cm.
+      mask[id] = i < 5 ? 1 : 3;
+      return {};
+    });
+    expect(y).toBeCloseTo(STANDS, 4);
+  });
+
   test('layers, groups and sensors decide what stops it', () => {
     const world = worldWithFloor({ precision });
     const wall = (x: number, collider: object) =>

@@ -104,6 +104,8 @@ export function firstMeeting(
     const closing = -dot(normal, motion) / length;
     // What overlaps from the start has no normal: `touchedSurfaces` sees it.
     if (!(closing > 0)) continue;
+    // A one-way platform that it is passing through does not lift it: of how deep it is in it, `touchedSurfaces` knows.
+    if (part === 0 && !isWall && world.components.Collider.oneWay[body] === 1) continue;
     const there = plus(position, motion, fraction);
     const offset = dot(normal, there) - MEETING_DISTANCE + margin;
     const surface = { id: body, isWall, point: { x, y }, normal, offset };
