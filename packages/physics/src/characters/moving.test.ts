@@ -124,7 +124,11 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
 
   test.each([2, 200])('it passes a door of %f kg/m² that hangs over its head', (density) => {
     const world = worldWithFloor({ precision });
-    const door = spawn(world, { position: { x: 3, y: 1.6 }, rotation: {}, collider: { shape: box(0.1, 1.2), density } });
+    const door = spawn(world, {
+      position: { x: 3, y: 1.6 },
+      rotation: {},
+      collider: { shape: box(0.1, 1.2), density },
+    });
     createJoint(world, revolute({ b: door, anchor: { x: 3, y: 2.2 } }));
     const id = addCharacter(world, 0, STANDS);
     const { x, heights } = walk(world, id, 120, right(3));

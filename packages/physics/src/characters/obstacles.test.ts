@@ -40,19 +40,19 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     expect(falling.y).toBeCloseTo(10 - (G * 60 * 61 * DT * DT) / 2, 3);
   });
 
-  test.each([0, 0.3, 0.5])('a wall of flush tiles, %f m up, holds a jump and a fall no more than none does', (offset) => {
-    const heights = [false, true].map((tiled) => {
+  test.each([0, 0.3, 0.5])('a wall of flush tiles, %f m up, holds no jump and no fall', (offset) => {
+    const [free, beside] = [false, true].map((tiled) => {
       const world = worldWithFloor({ precision });
       for (let i = -10; tiled && i < 20; i++) {
         spawn(world, { position: { x: 1, y: i + offset }, collider: { shape: box(1, 1) } });
       }
       const id = addCharacter(world, 0.5 - RADIUS - MARGIN, STANDS);
-      const against = (i: number) => ({ ...right(3)(i), ...(i === 0 ? { jump: 12 } : {}) });
+      const against = (i: number) => ({ x: 3, ...(i === 0 ? { jump: 12 } : {}) });
       return walk(world, id, 120, against);
     });
     // The same additions, but for roundings of the horizontal part that an oblique normal would turn.
-    heights[1].heights.forEach((height, i) => expect(height).toBeCloseTo(heights[0].heights[i], 4));
-    for (const { nx, ny } of heights[1].motion.contacts) expect(Math.abs(nx * ny)).toBeLessThan(1e-6);
+    for (const [i, height] of beside.heights.entries()) expect(height).toBeCloseTo(free.heights[i], 4);
+    for (const { nx, ny } of beside.motion.contacts) expect(Math.abs(nx * ny)).toBeLessThan(1e-6);
   });
 
   test('a ceiling ends a jump', () => {
@@ -105,7 +105,7 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
       return walk(world, addCharacter(world, 0, STANDS), 90, (i) => (i === 0 ? { jump: 5.2 } : {})).heights;
     };
     const free = fall(false);
-    fall(true).forEach((height, i) => expect(height).toBeCloseTo(free[i], 6));
+    for (const [i, height] of fall(true).entries()) expect(height).toBeCloseTo(free[i], 6);
 
     const world = worldWithFloor({ precision });
     spawn(world, { position: { y: 3 }, collider: { shape: box(4, 0.1), oneWay: true, layers: 2 } });

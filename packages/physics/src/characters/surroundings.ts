@@ -72,7 +72,12 @@ function isBehind({ world, dt, margin }: Character, { id, point, normal }: Surfa
  * How far a kinematic body comes nearer during the step, m, seen from the ground that the character rides on. Bodies that
  * yield do not push it.
  */
-export function approachOf({ world, groundVelocity, dt }: Character, id: number, point: Vector2, normal: Vector2): number {
+export function approachOf(
+  { world, groundVelocity, dt }: Character,
+  id: number,
+  point: Vector2,
+  normal: Vector2,
+): number {
   if (isMovable(world, bodyBehind(world, id))) return 0;
   return Math.max(0, dot(plus(velocityAt(world, id, point), groundVelocity, -1), normal) * dt);
 }
