@@ -15,8 +15,8 @@ export interface ShapeInput {
    */
   readonly shape?: Shape | number;
   /**
-   * Mass by area, kg/m² (in 3D by volume, kg/m³), from which mass and inertia follow unless they are given. Default
-   * none: a body without mass is not moved.
+   * Mass by area, kg/m² (in 3D by volume, kg/m³), from which mass and inertia follow unless they are given beside the
+   * collider: a mass that is given counts, and the density does not. Default none: a body without mass is not moved.
    */
   readonly density?: number;
 }

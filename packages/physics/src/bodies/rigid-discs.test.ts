@@ -44,3 +44,11 @@ it('stays a point that does not turn in worlds of particles', () => {
   const id = spawn(world, { position: {}, mass: 1, collider: { radius: 0.5 } });
   expect(world.components.Inertia.value[id]).toBe(0);
 });
+
+it('says where density and mass stand, when one is not where it belongs', () => {
+  const world = rigidWorld();
+  const body = { position: {}, collider: { radius: 0.5, mass: 3 } };
+  expect(() => spawn(world, body)).toThrow(/no field "mass".*In spawn also density; mass stands beside collider\./);
+  const both = spawn(world, { position: {}, mass: 3, collider: { radius: 0.5, density: 100 } });
+  expect(world.components.Mass.value[both]).toBe(3);
+});

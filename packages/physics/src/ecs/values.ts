@@ -17,7 +17,8 @@ export function checkValues(space: WorldView, name: ComponentName, data: unknown
   for (const field of Object.keys(given)) {
     // A lookup in `spec.fields` alone would find "constructor" in the prototype.
     if (!Object.hasOwn(spec.fields, field)) {
-      throw unknownName(keyOf(name), 'field', field, Object.keys(spec.fields), entity);
+      const more = name === 'Collider' ? ' In spawn also density; mass stands beside collider.' : '';
+      throw unknownName(keyOf(name), 'field', field, Object.keys(spec.fields), entity, more);
     }
     const known = spec.fields[field] as FieldSpec;
     const named = isRecord(data) ? `${keyOf(name)}.${field}` : keyOf(name);

@@ -58,8 +58,9 @@ export function unknownName(
   name: unknown,
   known: readonly string[],
   entity?: number,
+  more = '',
 ): PhysicsError {
-  const hint = `Valid: ${known.join(', ') || 'none'}.`;
+  const hint = `Valid: ${known.join(', ') || 'none'}.${more}`;
   const field = typeof name === 'string' ? name : kind;
   const text = typeof name === 'string' ? `"${name}"` : describe(name);
   return new PhysicsError('E_UNKNOWN', `${what} has no ${kind} ${text}.`, { entity, field, value: name, hint });

@@ -11,8 +11,8 @@
 // time of the mass loss within the step; a force not proportional to mass, such as drag, acts on the mass at the end
 // of the step. Valid for exhaust far slower than light. A body that is fuel only would reach an infinite speed: it keeps a
 // millionth of the mass that it has at the start of its last step. So there Δv depends on dt: 14 v_e where one step burns
-// all, and 20 v_e where it burns for 8 s in steps of 1/60 s. Cost: one logarithm per firing engine and step, and the rotation
-// of a vector per body.
+// all, and 20 v_e where it burns for 8 s in steps of 1/60 s. Inertia stays what it is: where it matters that fuel is gone from
+// it, write that column. Cost: one logarithm per firing engine and step, and the rotation of a vector per body.
 import { Engine } from '../components/propulsion.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkKeys } from '../errors/validate.ts';

@@ -34,31 +34,31 @@ export function thrust(options: ThrustOptions = {}): Force {
 const inWorld = /* @__PURE__ */ defineLaw({
   name: 'thrust',
   formula: 'F = T',
-  reads: { push: Thrust },
-  force: ({ push }) => push,
+  reads: { T: Thrust },
+  force: ({ T }) => T,
 });
 
 const inBody = /* @__PURE__ */ defineLaw({
   name: 'thrust',
   formula: 'F = R T',
-  reads: { push: Thrust },
-  force: ({ push, rotate }) => rotate(push),
+  reads: { T: Thrust },
+  force: ({ T, rotate }) => rotate(T),
 });
 
 const inWorldAt = /* @__PURE__ */ defineLaw({
   name: 'thrust',
   formula: 'F = T, τ = R p × F',
-  reads: { push: Thrust },
+  reads: { T: Thrust },
   parameters: { point: vector('m', POSITION_BOUNDS) },
-  force: ({ push }) => push,
-  torque: ({ push, rotate }, { point }) => rotate(point).cross(push),
+  force: ({ T }) => T,
+  torque: ({ T, rotate }, { point }) => rotate(point).cross(T),
 });
 
 const inBodyAt = /* @__PURE__ */ defineLaw({
   name: 'thrust',
   formula: 'F = R T, τ = R p × F',
-  reads: { push: Thrust },
+  reads: { T: Thrust },
   parameters: { point: vector('m', POSITION_BOUNDS) },
-  force: ({ push, rotate }) => rotate(push),
-  torque: ({ push, rotate }, { point }) => rotate(point).cross(rotate(push)),
+  force: ({ T, rotate }) => rotate(T),
+  torque: ({ T, rotate }, { point }) => rotate(point).cross(rotate(T)),
 });

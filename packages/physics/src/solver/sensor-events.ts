@@ -47,9 +47,10 @@ const NO_EVENTS: SensorEvents = { begin: NO_PAIRS, end: NO_PAIRS };
 
 /**
  * Returns the events of sensors in the last step: always the same object. Overlaps are those at the start of the step. A fast
- * body that passed a sensor within the step, which does not move, begins and ends in it; these come before the others. So does
- * an id that was despawned and given to another body in the sensor. Count a pair up at each `begin` and down at each `end`, and the order
- * does not matter. What has neither a mass nor Velocity or AngularVelocity is static, and sensed by sensors that are not. A world without rigid bodies has none.
+ * body that passed a sensor within the step, which does not move, begins and ends in it; these come before the others, and of
+ * several sensors passed in one step not in the order of passing. So does an id that was despawned and given to another body in
+ * the sensor. Count a pair up at each `begin` and down at each `end`, and the order does not matter. What has neither a mass nor
+ * Velocity or AngularVelocity is static, and sensed by sensors that are not. A world without rigid bodies has none.
  * @throws PhysicsError E_CAPACITY, E_DESTROYED
  */
 export function sensorEvents(world: PhysicsWorld): SensorEvents {
