@@ -29,7 +29,7 @@ it('240 steps of every scene end where they always ended', () => {
       "chains": "19a31649e3cc4b34",
       "circles": "6f26557c9b4c24bb",
       "cloth": "5dffac56cde82676",
-      "crowd": "cae46ec7f66e0021",
+      "crowd": "babc179e93d2dc6d",
       "discs": "dad8afc34e24858e",
       "elastic-discs": "ecd3224319613c4e",
       "emitters": "ffc1284ca166769f",
