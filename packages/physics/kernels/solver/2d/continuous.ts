@@ -21,7 +21,7 @@ import {
   stateOf,
   word,
 } from './body';
-import { SAFE_PATH, endsAlong, findImpact, impact, isOnRail } from './first-impact';
+import { SAFE_PATH, endsAlong, findImpact, impact, isOnRail, isWheel } from './first-impact';
 import { turnState } from './integrate-bodies';
 import { passSensors } from './pass-sensors';
 import { bodyOf, turnTo } from './parts';
@@ -73,6 +73,9 @@ function stopBody(t: RigidTable, row: i32, reach: real): void {
   if (first < 1) {
     putFlags(t, row, flagsOf(t, row) | FAST);
     first = stopAt(t, row, first, reach);
+  } else if (isWheel(t, row)) {
+    // Its contacts are those of the middle of the step, as of what rolls slowly (mid-step.ts).
+    putFlags(t, row, flagsOf(t, row) & ~FAST);
   }
   putStop(t, row, first);
   if (t.sensorCount > 0) passSensors(t, row);

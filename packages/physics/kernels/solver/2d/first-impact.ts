@@ -58,6 +58,7 @@ const path = changetype<FatBox>(memory.data(offsetof<FatBox>() + 8, 8));
 export function findImpact(t: RigidTable, row: i32, reach: real): real {
   impact.touches = false;
   rolls = mayRoll(t, row);
+  onAxle = isWheel(t, row);
   const first = firstOfShapes(t, row, reach);
   // Of a body that touches something fewer impacts count; some may have been found before its contact was.
   return impact.touches && first < 1 ? firstOfShapes(t, row, reach) : first;
@@ -65,6 +66,15 @@ export function findImpact(t: RigidTable, row: i32, reach: real): real {
 
 // Whether the body is deflected by what it meets while it touches something else (roll-on.ts).
 let rolls: bool = false;
+
+// Whether the body is a disc that joints hold. What bears a wheel deflects it and all that hangs on it in the next step: to halt it alone
+// where it sinks in a little would tear at its joints, and a car in a loop lost most of its energy, or gained some.
+// @ts-ignore: decorator
+@inline export function isWheel(t: RigidTable, row: i32): bool {
+  return (flagsOf(t, row) & (ROUND | JOINED)) == (ROUND | JOINED);
+}
+
+let onAxle: bool = false;
 
 // Joints hold a body back that would be deflected alone.
 function mayRoll(t: RigidTable, row: i32): bool {
@@ -148,7 +158,8 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   if (starts) impact.touches = true;
   const isEnd = turnToSide(wall);
   if ((isEnd || (starts && isRail)) && !goesIn()) return 1;
-  if (!starts && endsInside(wall, shape, isRail)) return sweep.fraction;
+  const grazes = onAxle && isShallow();
+  if (!starts && !grazes && endsInside(wall, shape, isRail)) return sweep.fraction;
   if (!mayPass) return 1;
   const fraction = sweep.fraction;
   const nx = sweep.nx;
@@ -156,7 +167,8 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   const part = CORE_PART * shape.minExtent;
   // What flies or rolls is deflected by what it grazes.
   const graze = impact.touches && !isRail ? SAFE_PATH : GRAZE * target;
-  makeCircle(core, starts && !isRail ? part : max<real>(part, shape.minExtent - graze));
+  const sinks = grazes || (starts && !isRail);
+  makeCircle(core, sinks ? part : max<real>(part, shape.minExtent - graze));
   timeOfImpact(sweep, wall, core);
   if (starts && isRail) {
     if (sweep.isHit == 0) return 1;
@@ -255,6 +267,17 @@ export function endsAlong(t: RigidTable, body: i32): bool {
   const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
   const into = dx * sweep.nx + dy * sweep.ny;
   return into < 0 && <real>2 * into * into > dx * dx + dy * dy;
+}
+
+// A wheel rolls along what it meets at less than this angle, as its sine.
+const ROLLING: real = 0.15;
+
+// Whether the second shape moves along the first.
+// @ts-ignore: decorator
+@inline function isShallow(): bool {
+  const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
+  const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
+  return dx * sweep.nx + dy * sweep.ny > -ROLLING * sqrt<real>(dx * dx + dy * dy);
 }
 
 // Takes the part of the movement that goes into a surface with this normal.
