@@ -51,6 +51,7 @@ export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
     const d = Math.sqrt(x * x + y * y + z * z);
     if (!(d > 0) || d >= radius) continue;
     let factor = impulse / (mass * d);
+    // Whole exponents are products, without the rounding of a power.
     const whole = Math.floor(falloff);
     for (let i = 0; i < whole; i++) factor *= 1 - d / radius;
     if (falloff > whole) factor *= pow(1 - d / radius, falloff - whole);

@@ -5,6 +5,7 @@ import {
   destroyWorld,
   energy,
   type PhysicsWorld,
+  type Precision,
   softStep,
   spawn,
   spawnChain,
@@ -16,17 +17,19 @@ import { rigidWorld } from '../../../../test/support/rigid-world.ts';
 
 const DT = 1 / 60;
 
-/** A closed chain of so many segments on a circle about the origin, solid outside. */
-function addLoop(world: PhysicsWorld, radius: number, count: number, friction: number): void {
+/** A world without gravity and sleep, with a closed chain of so many segments on a circle about the origin. */
+function loopWorld(precision: Precision, radius: number, count: number, friction: number): PhysicsWorld {
+  const world = rigidWorld({ precision, capacity: 600, forces: [], integrator: softStep({ sleepTime: 0 }) });
   const points = Array.from({ length: count }, (_, i) => {
     const angle = (-2 * Math.PI * (i + 0.5)) / count - Math.PI / 2;
     return { x: radius * Math.cos(angle), y: radius * Math.sin(angle) };
   });
   spawnChain(world, points, { friction }, { closed: true });
+  return world;
 }
 
 /** Steps until a body has gone round the origin once, at most a thousand times. Returns the number of steps. */
-function goRound(world: PhysicsWorld, body: number, check: () => void): number {
+function goRound(world: PhysicsWorld, body: number, check = () => {}): number {
   const { x, y } = world.components.Position;
   let turned = 0;
   let steps = 0;
@@ -73,8 +76,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     [20, 30, 128],
     [20, 30, 512],
   ])('on a circle of %i m at %i m/s, %i segments take from it what their corners do', (radius, speed, count) => {
-    const world = rigidWorld({ precision, capacity: 600, forces: [], integrator: softStep({ sleepTime: 0 }) });
-    addLoop(world, radius, count, 0);
+    const world = loopWorld(precision, radius, count, 0);
     const low = -radius * Math.cos(Math.PI / count) + 0.2;
     const disc = spawn(world, { position: { y: low }, velocity: { x: speed }, collider: { radius: 0.2, density: 10 } });
     const before = energy(world).total;
@@ -102,11 +104,10 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   ])(
     'a car without a motor goes round a loop of %i m at %i m/s on %i segments, and is not faster then',
     (radius, speed, count) => {
-      const world = rigidWorld({ precision, capacity: 600, forces: [], integrator: softStep({ sleepTime: 0 }) });
-      addLoop(world, radius, count, 1);
+      const world = loopWorld(precision, radius, count, 1);
       const car = addCar(world, radius, -radius * Math.cos(Math.PI / count), speed);
       const before = energy(world).total;
-      const steps = goRound(world, car, () => {});
+      const steps = goRound(world, car);
       const kept = energy(world).total / before;
       // It lands on its wheels at first, and the springs are damped: what it keeps follows from no formula. It was stopped, or gained.
       expect(kept).toBeLessThan(1);

@@ -74,6 +74,7 @@ let rolls: bool = false;
   return (flagsOf(t, row) & (ROUND | JOINED)) == (ROUND | JOINED);
 }
 
+// Of the body for which findImpact looks.
 let onAxle: bool = false;
 
 // Joints hold a body back that would be deflected alone.
@@ -157,8 +158,8 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   const isRail = rolls && (flagsOf(t, other) & MOVES) == 0;
   if (starts) impact.touches = true;
   const isEnd = turnToSide(wall);
-  if ((isEnd || (starts && isRail)) && !goesIn()) return 1;
-  const grazes = onAxle && isShallow();
+  if ((isEnd || (starts && isRail)) && !goesIn(FLAT)) return 1;
+  const grazes = onAxle && !goesIn(ROLLING);
   if (!starts && !grazes && endsInside(wall, shape, isRail)) return sweep.fraction;
   if (!mayPass) return 1;
   const fraction = sweep.fraction;
@@ -202,14 +203,6 @@ function turnToSide(wall: Shape): bool {
   return true;
 }
 
-// Whether the second shape moves towards the first, and not along it.
-// @ts-ignore: decorator
-@inline function goesIn(): bool {
-  const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
-  const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
-  return dx * sweep.nx + dy * sweep.ny < -FLAT * sqrt<real>(dx * dx + dy * dy);
-}
-
 // @ts-ignore: decorator
 @inline function hitFrom(nx: real, ny: real, fraction: real): real {
   sweep.nx = nx;
@@ -238,7 +231,7 @@ function maySink(shape: Shape): bool {
 // one. Where a floor turns up, what is pressed on it may enter further, if it cannot be deflected: to halt it would only press others
 // into it.
 function endsInside(wall: Shape, shape: Shape, isRail: bool): bool {
-  if (impact.touches && !isRail && !isSteep()) return false;
+  if (impact.touches && !isRail && !goesIn(STEEP)) return false;
   const x = sweep.endBx - sweep.endAx;
   const y = sweep.endBy - sweep.endAy;
   setPoses(manifold, x, y, sweep.endAc, sweep.endAs, sweep.endBc, sweep.endBs);
@@ -260,24 +253,17 @@ export function endsAlong(t: RigidTable, body: i32): bool {
   return abs<real>(sweep.nx * impact.ny - sweep.ny * impact.nx) < FLAT;
 }
 
-// Whether the second shape moves against the first at more than 45 degrees.
-// @ts-ignore: decorator
-@inline function isSteep(): bool {
-  const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
-  const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
-  const into = dx * sweep.nx + dy * sweep.ny;
-  return into < 0 && <real>2 * into * into > dx * dx + dy * dy;
-}
-
-// A wheel rolls along what it meets at less than this angle, as its sine.
+// Sines of angles: a wheel rolls along what it meets at less than the first, and what goes from one tile of a floor to the next is
+// halted only by what it meets at more than the second, 45 degrees.
 const ROLLING: real = 0.15;
+const STEEP: real = 0.7071067811865476;
 
-// Whether the second shape moves along the first.
+// Whether the second shape moves against the first at more than an angle with this sine.
 // @ts-ignore: decorator
-@inline function isShallow(): bool {
+@inline function goesIn(sine: real): bool {
   const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
   const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
-  return dx * sweep.nx + dy * sweep.ny > -ROLLING * sqrt<real>(dx * dx + dy * dy);
+  return dx * sweep.nx + dy * sweep.ny < -sine * sqrt<real>(dx * dx + dy * dy);
 }
 
 // Takes the part of the movement that goes into a surface with this normal.
