@@ -1,13 +1,16 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkObject } from '../errors/validate.ts';
-import { namedResource, ResourceKey } from '../memory/resource.ts';
+import { ResourceKey, stateAt } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /** The name of the resource with the objects to save. */
 export const KEPT = 'kept objects';
 
+const createList = (): object[] => [];
+const KEY = new ResourceKey(false, KEPT, createList);
+
 /** The objects to save, in the order in which they were passed. */
-export const keptObjects = namedResource(KEPT, (): object[] => []);
+export const keptObjects = (world: PhysicsWorld): object[] => stateAt(world, KEY, createList);
 
 /** The objects that were passed to `keepState`, and what each was then: its kind, and the length or the fields of it. */
 const forms = new WeakMap<object, string>();
@@ -19,10 +22,7 @@ export function isKept(value: object): boolean {
 
 /** The list of the objects, if there is one: unlike `keptObjects` it makes none. */
 export function keptList({ internal }: PhysicsWorld): object[] | undefined {
-  for (const [key, state] of internal.resources) {
-    if (key instanceof ResourceKey && key.name === KEPT) return state as object[];
-  }
-  return undefined;
+  return internal.resources.get(KEY) as object[] | undefined;
 }
 
 /** What the kept objects of a world were when they were passed, in their order. */
