@@ -15,7 +15,7 @@ import { bundleOptions } from './lib/bundle.mjs';
 import { commandOptions } from './lib/command-options.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
-import { gameNames } from './lib/site-pages.mjs';
+import { gameAddress, gameNames } from './lib/site-pages.mjs';
 import { serveFiles } from './lib/static-server.mjs';
 
 /** @typedef {import('playwright-core').Browser} Browser */
@@ -32,8 +32,6 @@ const WARM = 15;
 const GAME_WARM = 200;
 /** Pages that cannot tell what their frames cost. */
 const WITHOUT_SHELL = ['first-game', 'front-page'];
-/** The start page of the laboratory has no game of its own. @type {Record<string, string>} */
-const EXAMPLE = { laboratory: '?example=ch17-diffusion&count=20000' };
 
 /** @type {Browser | undefined} */
 let browser;
@@ -136,7 +134,7 @@ async function measureSparks(browser, site, count) {
 async function measureGames(browser, site) {
   for (const name of gameNames()) {
     if (WITHOUT_SHELL.includes(name)) continue;
-    process.stdout.write(`${name}: ${parts(await watch(browser, `${site}${name}/${EXAMPLE[name] ?? ''}`))}\n`);
+    process.stdout.write(`${name}: ${parts(await watch(browser, `${site}${gameAddress(name)}`))}\n`);
   }
 }
 

@@ -15,7 +15,7 @@ import { commandOptions } from './lib/command-options.mjs';
 import { firstFrame, launchBrowser, medianOf, serveBuilt } from './lib/first-frame.mjs';
 import { blockedByFirstWorld, FIRST_WORLDS, serveFirstWorlds } from './lib/first-world.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
-import { gameNames } from './lib/site-pages.mjs';
+import { gameAddress, gameNames } from './lib/site-pages.mjs';
 import { serveSite } from './lib/site-server.mjs';
 
 const values = commandOptions({
@@ -100,7 +100,7 @@ async function timeOf(url, name) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   await page.goto(url);
   await page.waitForTimeout(1000);
-  const time = await firstFrame(page, `${url}${name}/`);
+  const time = await firstFrame(page, `${url}${gameAddress(name)}`);
   await browser.close();
   return time;
 }

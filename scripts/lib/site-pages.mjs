@@ -14,6 +14,14 @@ export function gameNames() {
     .sort();
 }
 
+/** The start page of the laboratory has no game of its own. @type {Record<string, string>} */
+const EXAMPLE = { laboratory: '?example=ch17-diffusion&count=20000' };
+
+/** The address on the site of a page that plays a game. @param {string} name */
+export function gameAddress(name) {
+  return `${name}/${EXAMPLE[name] ?? ''}`;
+}
+
 /**
  * The page of one game, as its author wrote it.
  * @param {string} name
