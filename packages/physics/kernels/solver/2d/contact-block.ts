@@ -62,7 +62,9 @@ export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
 
 // Until a block is finished (finish-blocks.ts), the anchors of each point on both surfaces, from the centres, are where its levers
 // are later, and this is in place of what is `ALONG` the normal: radii by which the shapes are rounded, and the distance from the
-// centre of a to that of b, m.
+// centre of a to that of b, m. Then the time from the moment of the normal to the mean of the sub-steps, s, and the restitution.
+export const AHEAD: usize = ROLLING_MASS;
+export const RESTITUTION: usize = POINTS + TOTAL_IMPULSE;
 export const AX: usize = NORMAL_LEVER_A;
 export const AY: usize = NORMAL_LEVER_B;
 export const BX: usize = TANGENT_LEVER_A;

@@ -1,6 +1,6 @@
 // Computes what follows from the numbers with which a block of contacts was filled, for all of its contacts at once: levers,
 // effective masses, the speeds at which points approach, and anchors.
-import { add, div, mul, splat, sub } from '../../memory/lanes';
+import { add, div, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import * as block from './contact-block';
 import { lanesX, lanesY, lanesZ } from './gather-lanes';
 import { RigidTable } from './rigid-table';
@@ -11,14 +11,17 @@ export function finishBlocks(t: RigidTable): void {
 
 // @ts-ignore: decorator
 @inline function finishBlock(t: RigidTable, at: usize): void {
-  const turning = add(v128.load(at, block.INERTIA_A), v128.load(at, block.INERTIA_B));
-  v128.store(at, reciprocal(turning), block.ROLLING_MASS);
   const a = at + block.A;
   const b = at + block.B;
   const vx = sub(lanesX(b, 0), lanesX(a, 0));
   const vy = sub(lanesY(b, 0), lanesY(a, 0));
   const wA = lanesZ(a, 0);
   const wB = lanesZ(b, 0);
+  turnNormal(at, mul(inCommon(wA, wB), v128.load(at, block.AHEAD)));
+  const turning = add(v128.load(at, block.INERTIA_A), v128.load(at, block.INERTIA_B));
+  v128.store(at, reciprocal(turning), block.ROLLING_MASS);
+  const bounces = v128.gt<real>(v128.load(at, block.RESTITUTION), splat(0));
+  v128.store(at, splat(0), block.RESTITUTION);
   const roundingA = v128.load(at, block.ROUNDING_A);
   const roundingB = v128.load(at, block.ROUNDING_B);
   const apartX = v128.load(at, block.APART_X);
@@ -29,8 +32,31 @@ export function finishBlocks(t: RigidTable): void {
     setMasses(at, p);
     setSpeed(at, p, vx, vy, wA, wB);
   }
-  const speed = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
-  if (v128.any_true(v128.lt<real>(speed, splat(-block.HIT_SPEED)))) t.hitCount++;
+  const first = v128.load(at, block.POINTS + block.NORMAL_SPEED);
+  const second = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
+  const hit = splat(-block.HIT_SPEED);
+  if (v128.any_true(v128.lt<real>(second, hit))) t.hitCount++;
+  const impact = v128.and(bounces, v128.lt<real>(smaller(first, second), hit));
+  v128.store(at, v128.andnot(v128.load(at, block.SHARE_A), impact), block.SHARE_A);
+  v128.store(at, v128.andnot(v128.load(at, block.SHARE_B), impact), block.SHARE_B);
+}
+
+// The speed at which two bodies both turn, the slower one of those that turn alike.
+// @ts-ignore: decorator
+@inline function inCommon(wA: v128, wB: v128): v128 {
+  const zero = splat(0);
+  return add(larger(zero, smaller(wA, wB)), smaller(zero, larger(wA, wB)));
+}
+
+// The normal stays as it is in all sub-steps, and so it is that of their mean: one that lags behind pushes two smooth boxes along
+// their way, which go round each other pressed together.
+// @ts-ignore: decorator
+@inline function turnNormal(at: usize, tangent: v128): void {
+  const cosine = div(splat(1), v128.sqrt<real>(add(splat(1), mul(tangent, tangent))));
+  const nx = v128.load(at, block.NX);
+  const ny = v128.load(at, block.NY);
+  v128.store(at, mul(cosine, sub(nx, mul(tangent, ny))), block.NX);
+  v128.store(at, mul(cosine, add(ny, mul(tangent, nx))), block.NY);
 }
 
 // Along the normal, to what the surfaces are round about, and the separation less what is between these.

@@ -101,6 +101,8 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, b.inverseInertia, block.INERTIA_B);
   store<real>(lane, b.x - a.x, block.APART_X);
   store<real>(lane, b.y - a.y, block.APART_Y);
+  store<real>(lane, isOfStart(contact) ? <real>(0.5 * (t.dt - t.h)) : <real>0, block.AHEAD);
+  store<real>(lane, contact.restitution, block.RESTITUTION);
   setShares(t, contact, lane, a.inverseMass, b.inverseMass);
   store<real>(lane, contact.nx, block.NX);
   store<real>(lane, contact.ny, block.NY);
@@ -112,7 +114,14 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, roundingAt(t, contact.b), block.ROUNDING_B);
 }
 
-// A disc is pressed where it is round, and the lever of what is none follows alone.
+// Whether the normal is that of the start of the step: those of discs are of the mean of the sub-steps, and foreseen ones of the impact.
+// @ts-ignore: decorator
+@inline function isOfStart(contact: RigidContact): bool {
+  return (contact.flags & FORESEEN) == 0 && contact.shapeA != 0 && contact.shapeB != 0;
+}
+
+// A disc is pressed where it is round, and the lever of what is none follows alone. What may bounce follows while it is pressed: an
+// impact among these is told by its speed later (finish-blocks.ts).
 // @ts-ignore: decorator
 @inline function setShares(
   t: RigidTable,
@@ -123,7 +132,8 @@ export function prepareContacts(table: usize): void {
 ): void {
   let shareA: real = 0;
   let shareB: real = 0;
-  if ((contact.flags & FORESEEN) == 0 && contact.restitution == 0 && inverseA + inverseB > 0) {
+  const follows = contact.restitution == 0 ? (contact.flags & FORESEEN) == 0 : isOfStart(contact) && isPressed(contact);
+  if (follows && inverseA + inverseB > 0) {
     const discA = isMovingDisc(t, contact.bodyA);
     const discB = isMovingDisc(t, contact.bodyB);
     shareA = discA == discB ? inverseB / (inverseA + inverseB) : discA ? <real>0 : <real>1;
@@ -131,6 +141,12 @@ export function prepareContacts(table: usize): void {
   }
   store<real>(lane, shareA, block.SHARE_A);
   store<real>(lane, shareB, block.SHARE_B);
+}
+
+// Whether an impulse passed in the last sub-step.
+// @ts-ignore: decorator
+@inline function isPressed(contact: RigidContact): bool {
+  return pointOf(contact, 0).normalImpulse > 0 || (contact.count > 1 && pointOf(contact, 1).normalImpulse > 0);
 }
 
 // @ts-ignore: decorator
