@@ -86,6 +86,13 @@ export function checkShape(world: PhysicsWorld, given: unknown, field: string): 
   if (typeof given === 'number' && shape === undefined) {
     throw mustBe(`an index of the ${shapePool(world).count - 1} shapes of this world`, given, field, 'E_RANGE');
   }
+  if (Array.isArray(given)) {
+    throw new PhysicsError('E_TYPE', `${field} must be one shape, got an array.`, {
+      field,
+      value: given,
+      hint: 'Make the segments of a chain by spawnChain(world, points), and other parts by spawnCompound.',
+    });
+  }
   if (!isShape(shape)) throw mustBe('a shape such as box(1, 0.5)', given, field);
   if (world.dimensions === 3) {
     throw new PhysicsError('E_RANGE', `${field} is of two dimensions and the world of three.`, {

@@ -1,6 +1,9 @@
+import { inspect } from 'node:util';
 import { addComponent, addEntity, hasComponent, set } from 'bitecs';
 import { expect, it } from 'vitest';
+import { chain } from '../collision/shapes/2d/chain.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { rigidBodies } from '../presets/rigid-bodies.ts';
 import { createPhysicsWorld } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import { spawn } from './spawn.ts';
@@ -25,4 +28,18 @@ it('components added manually and bodies without mass get no additional componen
   const anchor = spawn(world, { position: {} });
   expect(hasComponent(world, byHand, Velocity)).toBe(false);
   expect(hasComponent(world, anchor, Velocity)).toBe(false);
+});
+
+it('segments of a chain in place of a shape are refused, and the error prints in few lines', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies });
+  const shape = chain([{ x: 2 }, { x: 1 }, { x: 0 }]) as never;
+  let thrown: unknown;
+  try {
+    spawn(world, { position: {}, collider: { shape } });
+  } catch (error) {
+    thrown = error;
+  }
+  expect(thrown).toMatchObject({ code: 'E_TYPE', field: 'collider.shape', value: shape });
+  expect((thrown as Error).message).toMatch(/must be one shape, got an array\..*spawnChain/);
+  expect(inspect(thrown)).not.toContain('vertices');
 });

@@ -30,7 +30,7 @@ export class PhysicsError extends Error {
   override readonly name = 'PhysicsError';
   readonly entity: number | undefined;
   readonly field: string | undefined;
-  readonly value: unknown;
+  declare readonly value: unknown;
   readonly hint: string | undefined;
 
   constructor(
@@ -41,7 +41,9 @@ export class PhysicsError extends Error {
     super(`${code}: ${problem}${details.hint === undefined ? '' : ` ${details.hint}`}`);
     this.entity = details.entity;
     this.field = details.field;
-    this.value = details.value;
+    // Consoles print what is enumerable of an error that nobody catches: a list of points would hide the message.
+    const { value } = details;
+    Object.defineProperty(this, 'value', { value, enumerable: typeof value !== 'object' });
     this.hint = details.hint;
   }
 }
