@@ -36,7 +36,8 @@ export function finishBlocks(t: RigidTable): void {
   const second = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   const hit = splat(-block.HIT_SPEED);
   if (v128.any_true(v128.lt<real>(second, hit))) t.hitCount++;
-  const impact = v128.and(bounces, v128.lt<real>(smaller(first, second), hit));
+  const apart = v128.gt<real>(larger(first, second), splat(block.HIT_SPEED));
+  const impact = v128.and(bounces, v128.or(apart, v128.lt<real>(smaller(first, second), hit)));
   v128.store(at, v128.andnot(v128.load(at, block.SHARE_A), impact), block.SHARE_A);
   v128.store(at, v128.andnot(v128.load(at, block.SHARE_B), impact), block.SHARE_B);
 }

@@ -143,10 +143,14 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, shareB, block.SHARE_B);
 }
 
-// Whether an impulse passed in the last sub-step.
+// Whether the bodies pressed each other when the last step ended, and had not met in it.
 // @ts-ignore: decorator
 @inline function isPressed(contact: RigidContact): bool {
-  return pointOf(contact, 0).normalImpulse > 0 || (contact.count > 1 && pointOf(contact, 1).normalImpulse > 0);
+  const first = pointOf(contact, 0);
+  const second = pointOf(contact, 1);
+  if (first.normalSpeed < -block.HIT_SPEED || (contact.count > 1 && second.normalSpeed < -block.HIT_SPEED))
+    return false;
+  return first.normalImpulse > 0 || (contact.count > 1 && second.normalImpulse > 0);
 }
 
 // @ts-ignore: decorator
