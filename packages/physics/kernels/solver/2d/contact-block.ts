@@ -20,7 +20,7 @@ export const NX: usize = 8 * V;
 export const NY: usize = 9 * V;
 // An impulse P makes no angular momentum if its levers at a and at b differ by (x_b - x_a) × P. So they follow when b has moved by d
 // from a since the step began: that of a is longer by its share of d × P, that of b shorter by its own. The shares are 1
-// together; the lighter body has the smaller one, and turns nearly as it would alone. Both are 0 for an impact that is foreseen, whose
+// together; the lighter body has the smaller one, and turns nearly as it would alone, but for a corner on an edge. Both are 0 for an impact that is foreseen, whose
 // levers are those of its moment, and for what bounces, whose impulses are found anew when the step ends (impacts/2d).
 export const SHARE_A: usize = 10 * V;
 export const SHARE_B: usize = 11 * V;
@@ -62,9 +62,13 @@ export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
 
 // Until a block is finished (finish-blocks.ts), the anchors of each point on both surfaces, from the centres, are where its levers
 // are later, and this is in place of what is `ALONG` the normal: radii by which the shapes are rounded, and the distance from the
-// centre of a to that of b, m. Then the time from the moment of the normal to the mean of the sub-steps, s, and the restitution.
+// centre of a to that of b, m. Then the time from the moment of the normal to the mean of the sub-steps, s, the restitution, and
+// which body has the only point as its corner, CORNER_OF_A or CORNER_OF_B.
 export const AHEAD: usize = ROLLING_MASS;
 export const RESTITUTION: usize = POINTS + TOTAL_IMPULSE;
+export const CORNER: usize = POINTS + TOTAL_TANGENT_IMPULSE;
+export const CORNER_OF_A: real = 1;
+export const CORNER_OF_B: real = -1;
 export const AX: usize = NORMAL_LEVER_A;
 export const AY: usize = NORMAL_LEVER_B;
 export const BX: usize = TANGENT_LEVER_A;

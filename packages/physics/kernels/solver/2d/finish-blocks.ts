@@ -32,6 +32,7 @@ export function finishBlocks(t: RigidTable): void {
     setMasses(at, p);
     setSpeed(at, p, vx, vy, wA, wB);
   }
+  setCornerShares(at, vx, vy, wA, wB);
   const first = v128.load(at, block.POINTS + block.NORMAL_SPEED);
   const second = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   const hit = splat(-block.HIT_SPEED);
@@ -58,6 +59,31 @@ export function finishBlocks(t: RigidTable): void {
   const ny = v128.load(at, block.NY);
   v128.store(at, mul(cosine, sub(nx, mul(tangent, ny))), block.NX);
   v128.store(at, mul(cosine, add(ny, mul(tangent, nx))), block.NY);
+}
+
+// A corner on an edge stays where it is on its body. Its lever follows as this body turns, and that of the other what is left of the
+// way of the one centre along the other's edge.
+// @ts-ignore: decorator
+@inline function setCornerShares(at: usize, vx: v128, vy: v128, wA: v128, wB: v128): void {
+  const corner = v128.load(at, block.CORNER);
+  v128.store(at, splat(0), block.CORNER);
+  const ofA = v128.eq<real>(corner, splat(block.CORNER_OF_A));
+  const ofB = v128.eq<real>(corner, splat(block.CORNER_OF_B));
+  const along = sub(mul(vx, v128.load(at, block.NY)), mul(vy, v128.load(at, block.NX)));
+  const partA = part(v128.neg<real>(mul(wA, v128.load(at, block.POINTS + block.ALONG_A))), along);
+  const partB = part(mul(wB, v128.load(at, block.POINTS + block.ALONG_B)), along);
+  const follows = v128.gt<real>(add(v128.load(at, block.SHARE_A), v128.load(at, block.SHARE_B)), splat(0));
+  const one = splat(1);
+  const shareA = v128.bitselect(partA, v128.bitselect(sub(one, partB), v128.load(at, block.SHARE_A), ofB), ofA);
+  const shareB = v128.bitselect(partB, v128.bitselect(sub(one, partA), v128.load(at, block.SHARE_B), ofA), ofB);
+  v128.store(at, v128.and(shareA, follows), block.SHARE_A);
+  v128.store(at, v128.and(shareB, follows), block.SHARE_B);
+}
+
+// Between 0 and 1.
+// @ts-ignore: decorator
+@inline function part(value: v128, whole: v128): v128 {
+  return larger(splat(0), smaller(splat(1), div(value, whole)));
 }
 
 // Along the normal, to what the surfaces are round about, and the separation less what is between these.

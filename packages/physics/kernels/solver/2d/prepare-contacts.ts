@@ -2,7 +2,15 @@
 import { LANES, at as laneOffset } from '../../memory/lanes';
 import { clearRecord } from '../../memory/records';
 import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
-import { FAST_POINT, FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import {
+  EDGE_OF_A,
+  EDGE_OF_B,
+  FAST_POINT,
+  FORESEEN,
+  RigidContact,
+  contactAt,
+  pointOf,
+} from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, DYNAMIC, LOCKED, MOVES, ROUND, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
@@ -103,6 +111,7 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, b.y - a.y, block.APART_Y);
   store<real>(lane, isOfStart(contact) ? <real>(0.5 * (t.dt - t.h)) : <real>0, block.AHEAD);
   store<real>(lane, contact.restitution, block.RESTITUTION);
+  store<real>(lane, cornerOf(contact), block.CORNER);
   setShares(t, contact, lane, a.inverseMass, b.inverseMass);
   store<real>(lane, contact.nx, block.NX);
   store<real>(lane, contact.ny, block.NY);
@@ -118,6 +127,12 @@ export function prepareContacts(table: usize): void {
 // @ts-ignore: decorator
 @inline function isOfStart(contact: RigidContact): bool {
   return (contact.flags & FORESEEN) == 0 && contact.shapeA != 0 && contact.shapeB != 0;
+}
+
+// @ts-ignore: decorator
+@inline function cornerOf(contact: RigidContact): real {
+  const edge = isOfStart(contact) ? contact.flags & (EDGE_OF_A | EDGE_OF_B) : 0;
+  return edge == EDGE_OF_A ? block.CORNER_OF_B : edge == EDGE_OF_B ? block.CORNER_OF_A : <real>0;
 }
 
 // A disc is pressed where it is round, and the lever of what is none follows alone. What may bounce follows while it is pressed: an

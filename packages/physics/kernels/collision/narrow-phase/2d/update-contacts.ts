@@ -6,7 +6,7 @@
 // change, these by the same formula as within sub-steps. Source, but for the normal and the rule of single points: Box2D 3.2
 // (physics_world.c).
 //
-//   separation = that found + n · (movement of b's anchor - movement of a's)       n turns with the heavier body
+//   separation = that found + n · (movement of b's anchor - movement of a's)       n turns with an edge, or the heavier body
 import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
@@ -41,12 +41,14 @@ import { areDiscs } from './collide-ahead';
 import { collideShapes } from './collide-shapes';
 import { freeContact, isCurrent, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, reachOf } from './far-points';
-import { Manifold, setPoses } from './manifold';
+import { FACE_OF_A, FACE_OF_B, Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
 import { passesThrough } from './one-way';
 import {
   ContactPoint,
+  EDGE_OF_A,
+  EDGE_OF_B,
   FORESEEN,
   FOUND,
   IGNORED,
@@ -174,7 +176,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
-  const kept = (contact.flags & (FOUND | IS_DEEP)) | (touched ? WAS_TOUCHING : 0);
+  const kept = (contact.flags & (FOUND | IS_DEEP | EDGE_OF_A | EDGE_OF_B)) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
     contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return false;
@@ -248,7 +250,14 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   // A predicted manifold is computed again in the next step.
   if ((contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
+  noteEdge(contact, m);
   takePoints(t, contact, m);
+}
+
+// @ts-ignore: decorator
+@inline function noteEdge(contact: RigidContact, m: Manifold): void {
+  contact.flags &= ~(EDGE_OF_A | EDGE_OF_B);
+  if (m.count == 1) contact.flags |= m.face == FACE_OF_A ? EDGE_OF_A : m.face == FACE_OF_B ? EDGE_OF_B : 0;
 }
 
 // Bodies whose centres are nearer, in parts of the least extent, lie in one place.
@@ -335,14 +344,16 @@ function moveAnchors(t: RigidTable, contact: RigidContact): void {
   moveWith(contact, poseOf(t, contact.a), poseOf(t, contact.b), poseOf(t, contact.bodyA), poseOf(t, contact.bodyB));
 }
 
-// The shapes turn as their bodies do; the heavier body turns less by itself.
+// The shapes turn as their bodies do, and the normal with the edge that it is of. Of two that lie flat on each other the heavier body
+// turns less by itself.
 // @ts-ignore: decorator
 @inline function moveWith(contact: RigidContact, a: BodyPose, b: BodyPose, bodyA: BodyPose, bodyB: BodyPose): void {
   const cosA = a.c * contact.ac + a.s * contact.as;
   const sinA = a.s * contact.ac - a.c * contact.as;
   const cosB = b.c * contact.bc + b.s * contact.bs;
   const sinB = b.s * contact.bc - b.c * contact.bs;
-  const turnsWithA = bodyA.inverseMass <= bodyB.inverseMass;
+  const edge = contact.flags & (EDGE_OF_A | EDGE_OF_B);
+  const turnsWithA = edge != 0 ? edge == EDGE_OF_A : bodyA.inverseMass <= bodyB.inverseMass;
   const c = turnsWithA ? cosA : cosB;
   const s = turnsWithA ? sinA : sinB;
   contact.nx = c * contact.foundNx - s * contact.foundNy;
