@@ -17,7 +17,7 @@ it.each(['adding-a-shape', 'adding-a-joint'])('docs/%s.md names files that there
   const page = readFileSync(`docs/${name}.md`, 'utf8');
   expect(page).not.toMatch(/`(src|kernels)\//);
   for (const [, path] of page.matchAll(/`((?:packages|test|scripts)\/[\w./-]+)`/g)) {
-    if (!/\/(triangle|slot)\.ts$/.test(path)) expect(existsSync(path), path).toBe(true);
+    if (!/\/(triangle|groove)\.ts$/.test(path)) expect(existsSync(path), path).toBe(true);
   }
 });
 
@@ -42,6 +42,14 @@ describe('docs/adding-a-joint.md', () => {
     for (const name of readdirSync(folder)) {
       expect(readFileSync(`${folder}/${name}`, 'utf8'), name).not.toMatch(/\bkind\s*(<|>)=?\s/);
     }
+  });
+
+  it('gives each option that may be left out its default, and the function a comment', () => {
+    const page = readFileSync('docs/adding-a-joint.md', 'utf8');
+    const optional = [...page.matchAll(/(\/\*\*.*\*\/)\n\s*readonly \w+\?:/g)];
+    expect(optional.length).toBeGreaterThan(0);
+    for (const [, comment] of optional) expect(comment).toMatch(/[Dd]efault/);
+    expect(page).toMatch(/\* A .*\n\s*\* @throws.*\n\s*\*\/\n\s*export function groove\(/);
   });
 
   it('names every file that lists the kinds of joints', () => {
