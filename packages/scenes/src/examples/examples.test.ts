@@ -7,6 +7,7 @@ import { runInNewContext } from 'node:vm';
 import { type Integrator, stateHash, step } from '@principia/physics';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { motionHash } from '../../../../test/support/chaos.ts';
+import type { CheckState } from './check.ts';
 import type { Example, ExampleRun } from './define-example.ts';
 import { EXAMPLES } from './examples.gen.ts';
 import { now, type Picture } from './picture.ts';
@@ -41,6 +42,12 @@ function runToEnd(run: ExampleRun, { duration }: Example): void {
     step(run.world, run.dt);
     run.observe();
   }
+}
+
+/** What is wrong with a figure that did not pass. */
+function saysWhy(label: string, { state, computed, exact, error }: CheckState, duration: number): string {
+  if (state === 'waiting') return `${label}: what it waits for does not happen within the duration, ${duration} s`;
+  return `${label}: ${computed} instead of ${exact}, off by ${error}`;
 }
 
 /** Where the motion of each example that was run is after `STEPS` steps. */
@@ -141,9 +148,7 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
         const isOther = (wanted === undefined && integrator !== undefined) || meant !== preset;
         if (state.state === 'not applicable' || isOther) continue;
         judged.add(i);
-        expect(state.state, `${label}: ${state.computed} instead of ${state.exact}, off by ${state.error}`).toBe(
-          'passed',
-        );
+        expect(state.state, saysWhy(label, state, example.duration)).toBe('passed');
       }
       expect(run.world.faults.faults).toEqual([]);
     }
