@@ -60,6 +60,19 @@ it('needs a number for the place between two steps', () => {
   expect(() => checkAlpha(1.5)).not.toThrow();
 });
 
+it.each(['mesh', 'impostor'] as const)('gives a material back when its bodies are destroyed: %s', (form) => {
+  const source = worldSource(world);
+  const material = new MeshBasicMaterial();
+  const before = { ...material.toJSON(), uuid: '', key: material.customProgramCacheKey() };
+  for (let i = 0; i < 2; i++) {
+    const mesh = createBodyMesh({ source, form, material });
+    expect(material.customProgramCacheKey()).not.toBe(before.key);
+    expect(() => createBodyMesh({ source, form, material })).toThrow('this material draws the bodies of another mesh');
+    mesh.destroy();
+    expect({ ...material.toJSON(), uuid: '', key: material.customProgramCacheKey() }).toEqual(before);
+  }
+});
+
 it('draws with one material', () => {
   const source = worldSource(world);
   const make = (material: unknown, form: 'mesh' | 'impostor') => () =>

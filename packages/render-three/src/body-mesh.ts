@@ -11,6 +11,7 @@ import {
   patchImpostorMaterial,
 } from './impostor-material.ts';
 import { createInstancedPasses } from './instanced-passes.ts';
+import { restoreMaterial } from './material-patch.ts';
 import { QuadGeometry } from './quad-geometry.ts';
 import { TargetPixels } from './target-pixels.ts';
 
@@ -29,7 +30,10 @@ export interface BodyMesh {
    * Does nothing in an f32 world.
    */
   setOrigin(x: number, y: number, z: number): void;
-  /** Frees textures, geometries and materials; remove `object` from the scene yourself. */
+  /**
+   * Frees textures, geometries and materials; remove `object` from the scene yourself. A material of your own is as it was, and
+   * may draw other bodies.
+   */
   destroy(): void;
 }
 
@@ -130,6 +134,7 @@ function createImpostorPass(options: BodyMeshOptions, textures: BodyTextures): B
     setCount: (count) => geometry.setCount(count),
     destroy() {
       for (const resource of [geometry, material, shadow.depth, shadow.distance]) resource.dispose();
+      restoreMaterial(material);
     },
   };
 }

@@ -7,7 +7,8 @@ export interface BodyMeshOptions {
   /** Colour of bodies whose colour is zero; default a light blue. */
   defaultColor?: ColorRepresentation;
   /**
-   * Any mesh material of three, used for these bodies alone: it is rewritten to read the columns. Default: impostors
+   * Any mesh material of three, used for these bodies alone until they are destroyed: it is rewritten to read the columns.
+   * Default: impostors
    * are lit by a light that moves with the camera, and meshes are a `MeshStandardMaterial`.
    */
   material?: Material;

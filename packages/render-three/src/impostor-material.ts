@@ -11,6 +11,7 @@ import {
   RGBADepthPacking,
   ShaderChunk,
   ShaderMaterial,
+  type WebGLProgramParametersWithUniforms,
   ZeroFactor,
 } from 'three';
 import { patchMaterial, replaceChunks, type Uniforms } from './material-patch.ts';
@@ -121,21 +122,26 @@ export function createStudioMaterial(): MeshBasicMaterial {
  */
 export function patchImpostorMaterial(material: Material, uniforms: Uniforms, dimensions: 2 | 3): void {
   const isStudio = material.name === 'studio';
-  patchMaterial(material, uniforms, `principia-impostor-${dimensions}-${isStudio}`, (shader) => {
+  const change = (shader: WebGLProgramParametersWithUniforms) => {
     shader.vertexShader = solidVertexShader(shader.vertexShader, dimensions);
     shader.fragmentShader = litFragmentShader(shader.fragmentShader, isStudio);
-  });
-  material.shadowSide = DoubleSide;
-  if (material.transparent) return;
-  // Smooth outlines where the target is multisampled. The blend keeps the canvas opaque: coverage must not be read
-  // as transparency of the page.
-  material.alphaToCoverage = true;
-  material.blending = CustomBlending;
-  material.blendSrc = OneFactor;
-  material.blendDst = ZeroFactor;
-  material.blendSrcAlpha = OneFactor;
-  material.blendDstAlpha = OneFactor;
+  };
+  const settings = { shadowSide: DoubleSide, ...(material?.transparent ? {} : SMOOTH_OUTLINES) };
+  patchMaterial(material, uniforms, `principia-impostor-${dimensions}-${isStudio}`, change, settings);
 }
+
+/**
+ * Smooth outlines where the target is multisampled. The blend keeps the canvas opaque: coverage must not be read as
+ * transparency of the page.
+ */
+const SMOOTH_OUTLINES = {
+  alphaToCoverage: true,
+  blending: CustomBlending,
+  blendSrc: OneFactor,
+  blendDst: ZeroFactor,
+  blendSrcAlpha: OneFactor,
+  blendDstAlpha: OneFactor,
+} as const;
 
 function shadowFragmentShader(stock: string): string {
   const chunks = {

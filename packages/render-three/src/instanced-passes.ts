@@ -14,6 +14,7 @@ import {
 } from 'three';
 import type { BodyMeshOptions, BodyPass } from './body-pass.ts';
 import type { BodyTextures } from './body-textures.ts';
+import { restoreMaterial } from './material-patch.ts';
 import { createMeshShadowMaterials, drawnShapes, patchMeshMaterial } from './mesh-material.ts';
 
 /** One instanced mesh a geometry, all with one material: balls and boxes, or the application's own geometry. */
@@ -37,6 +38,7 @@ export function createInstancedPasses(options: BodyMeshOptions, textures: BodyTe
       setCount: (count) => showInstances(instanced, count),
       destroy() {
         for (const resource of [instanced, material, shadow.depth, shadow.distance]) resource.dispose();
+        restoreMaterial(material);
       },
     };
   };

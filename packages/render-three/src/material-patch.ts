@@ -3,37 +3,59 @@ import type { IUniform, Material, WebGLProgramParametersWithUniforms } from 'thr
 /** Uniforms by name, shared by every material that draws the same bodies. */
 export type Uniforms = Record<string, IUniform>;
 
-const patched = new WeakSet<Material>();
+/** What undoes the rewriting of each material that draws bodies. */
+const undoes = new WeakMap<Material, () => void>();
+
+/** Settings of a material that a rewriting changes. */
+type MaterialSettings = Partial<
+  Pick<
+    Material,
+    'shadowSide' | 'alphaToCoverage' | 'blending' | 'blendSrc' | 'blendDst' | 'blendSrcAlpha' | 'blendDstAlpha'
+  >
+>;
 
 /**
  * Lets `change` rewrite the shaders of one of three's materials and gives them `uniforms`. What the application itself
- * does in `onBeforeCompile` comes first.
+ * does in `onBeforeCompile` comes first. `restoreMaterial` undoes it.
  *
  * @param key names the rewriting: three shares programs between materials whose key and settings are equal
- * @throws Error when it is no material, or was rewritten before
+ * @param settings are set as well
+ * @throws Error when it is no material, or draws other bodies
  */
 export function patchMaterial(
   material: Material,
   uniforms: Uniforms,
   key: string,
   change: (shader: WebGLProgramParametersWithUniforms) => void,
+  settings: MaterialSettings = {},
 ): void {
   if (typeof material?.customProgramCacheKey !== 'function') {
     const given = Array.isArray(material) ? 'an array: all bodies have the same' : String(material);
     throw new Error(`material must be one material of three, such as new MeshStandardMaterial(), got ${given}`);
   }
-  if (patched.has(material)) {
+  if (undoes.has(material)) {
     throw new Error('this material draws the bodies of another mesh: give each its own, such as material.clone()');
   }
-  patched.add(material);
   const before = material.onBeforeCompile;
+  const makeKeyBefore = material.customProgramCacheKey;
   const keyBefore = material.customProgramCacheKey();
+  const settingsBefore = Object.fromEntries(Object.keys(settings).map((name) => [name, material[name as never]]));
+  undoes.set(material, () =>
+    Object.assign(material, settingsBefore, { onBeforeCompile: before, customProgramCacheKey: makeKeyBefore }),
+  );
+  Object.assign(material, settings);
   material.onBeforeCompile = (shader, renderer) => {
     before.call(material, shader, renderer);
     Object.assign(shader.uniforms, uniforms);
     change(shader);
   };
   material.customProgramCacheKey = () => `${key} ${keyBefore}`;
+}
+
+/** Makes a material what it was before `patchMaterial`, so that it may draw something else. */
+export function restoreMaterial(material: Material): void {
+  undoes.get(material)?.();
+  undoes.delete(material);
 }
 
 /**
