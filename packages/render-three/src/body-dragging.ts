@@ -4,7 +4,9 @@ import { pickBody } from './body-picker.ts';
 
 /** Options and events of dragging. Points are in m and velocities in m/s; copy them to keep them. */
 export interface BodyDraggingOptions {
+  /** The bodies, by `worldSource`. */
   source: BodySource;
+  /** The camera of the picture, which may move. */
   camera: Camera;
   /** Whether a body may be grabbed; default all. */
   mayGrab?(id: number): boolean;
@@ -24,6 +26,7 @@ export interface BodyDraggingOptions {
 export interface BodyDragging {
   /** The body under a point of the window, CSS pixels as in a pointer event; 0 for none. */
   pick(clientX: number, clientY: number): number;
+  /** Releases at rest what is dragged, and stops listening. */
   destroy(): void;
 }
 
@@ -48,7 +51,13 @@ const OPTION_NAMES: OptionNames<BodyDraggingOptions> = {
   tolerance: true,
 };
 
-/** Lets mouse, pen and touch drag bodies in 3D; several pointers work at once. @throws Error when there is no source */
+/**
+ * Lets mouse, pen and touch drag bodies in 3D; several pointers work at once. A body is moved in the plane that faces the camera,
+ * or in that of its world if it is a 2D one. Sets `touch-action: none` on `element`, and restores it on `destroy()`.
+ *
+ * @param element the canvas, or another element of its size
+ * @throws Error when there is no source, or an option does not exist
+ */
 export function listenToBodyDragging(element: HTMLElement, options: BodyDraggingOptions): BodyDragging {
   sourceOf(options, 'listenToBodyDragging');
   checkOptions(options, OPTION_NAMES, 'listenToBodyDragging');
@@ -128,8 +137,10 @@ class Dragging {
     const { ray } = this.#raycaster;
     // A body exactly under the pointer has priority over one that is merely close.
     if (pickBody(source, ray, { result: this.#pick }) !== 0) return this.#pick.id;
+    // Of a perspective camera this is the height of a pixel a metre away, of a parallel one anywhere.
     const pixel = 2 / (camera.projectionMatrix.elements[5] * this.#element.clientHeight);
-    return pickBody(source, ray, { slack: tolerance * pixel, result: this.#pick });
+    const missed = 'isOrthographicCamera' in camera ? { margin: tolerance * pixel } : { slack: tolerance * pixel };
+    return pickBody(source, ray, { ...missed, result: this.#pick });
   }
 
   /** Releases every body at rest, for example when the element is removed. */
