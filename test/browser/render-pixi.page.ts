@@ -191,6 +191,39 @@ export const lab = {
     return { updates, refusals, screen };
   },
 
+  /** What a screen makes of options of its context, and what a second destruction throws. */
+  async screen() {
+    const screen = await openScreen(document.body, { preserveDrawingBuffer: true });
+    const attributes = screen.canvas.getContext('webgl2')?.getContextAttributes();
+    screen.destroy();
+    screen.destroy();
+    return { preserves: attributes?.preserveDrawingBuffer, isGone: !screen.canvas.isConnected };
+  },
+
+  /** How many pixels of a square, turned by an eighth of a turn, differ from an upright one in a layer without rotation. */
+  async unturned(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const source = createTestBodySource(1024);
+    place(source, 1, 0, 0, 40);
+    source.shape[1] = SHAPES.box;
+    source.show([1]);
+    const layer = createBodyLayer({ source, rotation: false });
+    // Another layer of the same source, which does turn it.
+    const turning = createBodyLayer({ source });
+    stage.world.addChild(layer.container);
+    const shoot = () => {
+      turning.update(1);
+      layer.update(1);
+      return stage.shoot();
+    };
+    const upright = shoot();
+    source.angle[1] = source.previousAngle[1] = Math.PI / 4;
+    source.versions.pose++;
+    const differs = differing(upright, shoot());
+    stage.close();
+    return differs;
+  },
+
   /** Where a moving body is drawn, and which way its mark points, for several alphas. */
   async interpolation(backend: Backend, alphas: number[]) {
     const stage = await Stage.open(backend);

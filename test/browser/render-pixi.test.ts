@@ -56,6 +56,14 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', HANGS, (backend) =
     expect(screen).toContain('openScreen(document.body)');
   });
 
+  it('turns nothing in a layer without rotation, whatever another layer of the same bodies does', async () => {
+    expect(await page.evaluate((b) => pixiLab.unturned(b), backend)).toBe(0);
+  });
+
+  it('opens a screen with the context that was asked for, and closes it once', async () => {
+    expect(await page.evaluate(() => pixiLab.screen())).toEqual({ preserves: true, isGone: true });
+  });
+
   it('keeps f64 positions precise 10⁹ m from zero', async () => {
     const seen = await page.evaluate((b) => pixiLab.disc(b, 'f64', 1e9), backend);
     expect(seen.area / discArea(40)).toBeCloseTo(1, 2);

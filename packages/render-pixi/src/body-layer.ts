@@ -1,12 +1,14 @@
 import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
 import { writeColor } from './color.ts';
+import { ColumnTexture } from './column-texture.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { BODY_PROGRAM } from './shaders/body-program.ts';
 import { SourceTextures } from './source-textures.ts';
 
 /** Options of a body layer. */
 export interface BodyLayerOptions {
+  /** The bodies, by `worldSource`. */
   source: BodySource;
   /** Pixels of the layer's own coordinates per metre; default 1, which is what `applyCamera` expects. */
   pixelsPerMetre?: number;
@@ -69,7 +71,9 @@ export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
   if (!(minimumPixels > 0)) throw new Error(`minimumPixels must be above zero, got ${minimumPixels}`);
   if (!(rimWidth >= 0)) throw new Error(`rimWidth must be zero or more, got ${rimWidth}`);
   const textures = SourceTextures.acquire(source);
-  const mesh = new PullMesh(BODY_PROGRAM, bindings(textures), pixelsPerMetre, blendMode);
+  // The angles of the source may be on the GPU for another layer. Rows beyond those of a texture are read as zeros.
+  const unturned = rotation ? undefined : new ColumnTexture('real');
+  const mesh = new PullMesh(BODY_PROGRAM, bindings(textures, unturned), pixelsPerMetre, blendMode);
   mesh.uniforms.uDefaultColor = color;
   mesh.uniforms.uMinimumPixels = minimumPixels;
   mesh.uniforms.uRim = rimWidth;
@@ -94,20 +98,22 @@ export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
       if (!live) return;
       live = false;
       mesh.destroy();
+      unturned?.destroy();
       textures.release();
     },
   };
 }
 
-function bindings(textures: SourceTextures) {
+/** @param unturned angles in place of those of the source */
+function bindings(textures: SourceTextures, unturned: ColumnTexture | undefined) {
   return {
     uIds: textures.ids.source,
     uX: textures.x.texture.source,
     uY: textures.y.texture.source,
     uPreviousX: textures.previousX.texture.source,
     uPreviousY: textures.previousY.texture.source,
-    uAngle: textures.angle.texture.source,
-    uPreviousAngle: textures.previousAngle.texture.source,
+    uAngle: (unturned ?? textures.angle.texture).source,
+    uPreviousAngle: (unturned ?? textures.previousAngle.texture).source,
     uRadius: textures.radius.texture.source,
     uSize: textures.size.texture.source,
     uBodyColor: textures.color.source,

@@ -15,22 +15,29 @@ import { requirePixi } from './pixi-version.ts';
 
 /** A canvas with a pixi renderer. */
 export interface Screen {
+  /** Pixi's own, to be resized with the canvas: `renderer.resize(width, height, resolution)`, CSS pixels. */
   readonly renderer: Renderer;
+  /** The canvas, the last child of `parent`. */
   readonly canvas: HTMLCanvasElement;
   /** The root of the drawn objects. */
   readonly stage: Container;
   /** Renders the stage without allocating. */
   render(): void;
-  /** Frees everything on the stage and removes the canvas. */
+  /** Frees everything on the stage and removes the canvas. Further calls do nothing. */
   destroy(): void;
 }
 
-/** Options of pixi's renderers. */
-export type ScreenOptions = Partial<WebGLOptions & AutoDetectOptions>;
+/** Options of pixi's renderers, except those by which pixi would choose a renderer, a context or a canvas. */
+export type ScreenOptions = Partial<
+  Omit<
+    WebGLOptions & AutoDetectOptions,
+    'canvas' | 'context' | 'preference' | 'preferWebGLVersion' | 'webgl' | 'canvasOptions' | 'skipExtensionImports'
+  >
+>;
 
 /**
- * Opens a canvas of the size of `parent` with WebGL 2, or with WebGPU if there is none; follow `parent` with
- * `watchViewport`. Pixi's `Application` also creates a canvas, but tests WebGL on a second one, resizes the canvas, and
+ * Opens a canvas of the size of `parent`, at the display's pixel ratio but at most 2, with WebGL 2, or with WebGPU if there is
+ * none; follow `parent` with `watchViewport`. Pixi's `Application` also creates a canvas, but tests WebGL on a second one, resizes the canvas, and
  * loads events, filters and other parts before the first picture. Here a page imports `pixi.js/graphics` and so on
  * itself.
  *
@@ -48,6 +55,7 @@ export async function openScreen(parent: HTMLElement, options: ScreenOptions = {
   parent.append(renderer.canvas);
   const stage = new Container({ eventMode: 'none' });
   const order: { -readonly [Key in keyof RenderOptions]: RenderOptions[Key] | undefined } = { container: stage };
+  let live = true;
   return {
     renderer,
     canvas: renderer.canvas,
@@ -59,6 +67,8 @@ export async function openScreen(parent: HTMLElement, options: ScreenOptions = {
       renderer.render(order as RenderOptions);
     },
     destroy() {
+      if (!live) return;
+      live = false;
       stage.destroy({ children: true });
       renderer.destroy({ removeView: true, releaseGlobalResources: false });
     },
@@ -80,7 +90,8 @@ async function openWebGL(options: ScreenOptions & Size): Promise<Renderer | unde
     alpha: (options.backgroundAlpha ?? 1) < 1,
     antialias: options.antialias ?? false,
     powerPreference: options.powerPreference ?? 'default',
-    premultipliedAlpha: true,
+    premultipliedAlpha: options.premultipliedAlpha ?? true,
+    preserveDrawingBuffer: options.preserveDrawingBuffer ?? false,
     stencil: true,
   });
   if (context === null) return undefined;
