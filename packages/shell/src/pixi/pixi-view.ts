@@ -15,7 +15,7 @@ import {
   type ZoomLimits,
   zoomAt,
 } from '@principia/render-core';
-import { applyCamera, openScreen } from '@principia/render-pixi';
+import { applyCamera, openScreen, type Screen } from '@principia/render-pixi';
 import { Container } from 'pixi.js';
 import type { Simulation, View, ViewContext } from '../game.ts';
 import { pickBody2D } from '../pick.ts';
@@ -65,12 +65,28 @@ export interface PixiView extends View {
   toWorld(x: number, y: number): { readonly x: number; readonly y: number };
 }
 
-/** Opens a view in `context`; returned by a renderer's `open`. */
+/**
+ * Opens a view in `context`; returned by a renderer's `open`.
+ * @throws what `openScreen` and `paint` throw; then nothing of the view stays
+ */
 export async function openPixiView<S extends Settings, Sim extends Simulation>(
   context: ViewContext<S, Sim>,
   options: PixiViewOptions<Sim>,
 ): Promise<PixiView> {
   const screen = await openScreen(context.element, { backgroundAlpha: 0, antialias: true });
+  try {
+    return viewOf(screen, context, options);
+  } catch (error) {
+    screen.destroy();
+    throw error;
+  }
+}
+
+function viewOf<S extends Settings, Sim extends Simulation>(
+  screen: Screen,
+  context: ViewContext<S, Sim>,
+  options: PixiViewOptions<Sim>,
+): PixiView {
   const { canvas, renderer } = screen;
   const content = new Container();
   screen.stage.addChild(content);

@@ -66,21 +66,43 @@ export interface ThreeView extends View {
   pointUnder(x: number, y: number): { x: number; y: number; z: number };
 }
 
-/** Opens a view in `context`; returned by a renderer's `open`. */
+/**
+ * Opens a view in `context`; returned by a renderer's `open`.
+ * @throws what three.js throws without WebGL 2, and what `paint` and `path` throw; then nothing of the view stays
+ */
 export async function openThreeView<S extends Settings, Sim extends Simulation>(
   context: ViewContext<S, Sim>,
   options: ThreeViewOptions<Sim>,
 ): Promise<ThreeView> {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true });
-  const canvas = renderer.domElement;
-  context.element.append(canvas);
+  context.element.append(renderer.domElement);
   renderer.shadowMap.enabled = options.shadows ?? false;
+  try {
+    return viewOf(renderer, context, options);
+  } catch (error) {
+    close(renderer);
+    throw error;
+  }
+}
+
+function close(renderer: WebGLRenderer): void {
+  renderer.dispose();
+  renderer.forceContextLoss();
+  renderer.domElement.remove();
+}
+
+function viewOf<S extends Settings, Sim extends Simulation>(
+  renderer: WebGLRenderer,
+  context: ViewContext<S, Sim>,
+  options: ThreeViewOptions<Sim>,
+): ThreeView {
+  const canvas = renderer.domElement;
   const scene = new Scene();
-  const { orbit, camera } = openCamera(canvas, options, context.reducedMotion);
   let picture = show(context, options, scene);
+  let flight = flightOf(context, options);
+  const { orbit, camera } = openCamera(canvas, options, context.reducedMotion);
   /** The player has not taken the camera. */
   let isFitted = true;
-  let flight = flightOf(context, options);
   const take = () => {
     isFitted = false;
   };
@@ -111,7 +133,8 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       picture = show(context, options, scene);
       dragging = listenTo(context, orbit, canvas);
       flight = flightOf(context, options);
-      if (isFitted && flight !== undefined) fitAll();
+      orbit.controls.enableDamping = !context.reducedMotion;
+      if (isFitted) fitAll();
     },
     draw(alpha, seconds) {
       if (isFitted && !context.reducedMotion) flight?.(alpha, camera.position, orbit.controls.target);
@@ -128,9 +151,7 @@ export async function openThreeView<S extends Settings, Sim extends Simulation>(
       hide(picture, scene);
       orbit.destroy();
       viewport.destroy();
-      renderer.dispose();
-      renderer.forceContextLoss();
-      canvas.remove();
+      close(renderer);
     },
   };
 }
