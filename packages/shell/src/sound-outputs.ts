@@ -7,6 +7,7 @@ const outputs = new Set<AudioNode>();
 /** Connects the last node of a chain to the loudspeakers, and lets clips record it; a preview is silent. */
 export function connectToSpeakers(node: AudioNode): void {
   if (isPreview) return;
+  forgetClosed();
   node.connect(node.context.destination);
   outputs.add(node);
 }
@@ -20,7 +21,7 @@ export interface SoundTrack {
 
 /** Mixes what the page plays into one track; undefined where nothing plays, or where the browser refuses. */
 export function openSoundTrack(): SoundTrack | undefined {
-  for (const { context } of outputs) if (context.state === 'closed') forget(context);
+  forgetClosed();
   // A context that is suspended sends no samples at all, for which some encoders wait forever.
   const heard = [...outputs].filter(({ context }) => context.state === 'running');
   const mixer = heard[0]?.context as AudioContext | undefined;
@@ -59,6 +60,7 @@ function lead(node: AudioNode, mixer: AudioContext, mix: AudioNode): () => void 
   };
 }
 
-function forget(context: BaseAudioContext): void {
-  for (const node of outputs) if (node.context === context) outputs.delete(node);
+/** A page that starts and stops games would keep the sounds of all of them. */
+function forgetClosed(): void {
+  for (const node of outputs) if (node.context.state === 'closed') outputs.delete(node);
 }

@@ -1,9 +1,8 @@
-/** Control by touch or mouse: a craft goes towards the pointer, the harder the farther away it is. */
-
 /** Distances from the craft, CSS pixels: below the first the engine is off, beyond the second it gives full thrust. */
 const DEAD_ZONE = 8;
 const FULL_THRUST = 60;
 
+/** What `listenToSteering` asks for and tells. */
 export interface SteeringOptions {
   /** Position of the craft on the canvas, CSS pixels. */
   craft(): { x: number; y: number };
@@ -11,12 +10,18 @@ export interface SteeringOptions {
   steer(x: number, y: number): void;
 }
 
+/** A canvas that steers a craft until `destroy()`. */
 export interface Steering {
   /** Call it once a frame, because the craft moves below a resting pointer. */
   update(): void;
+  /** Lets go of the craft, as when the pointer is released, and stops listening. */
   destroy(): void;
 }
 
+/**
+ * Control by touch or mouse: a craft goes towards the pointer that is down, the harder the farther away it is, with full thrust
+ * from 60 CSS pixels on. Sets `touch-action: none` on the canvas, and restores it on `destroy()`.
+ */
 export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: SteeringOptions): Steering {
   let pointer: number | undefined;
   // A typed array, because a captured variable would allocate a number on the heap in every frame.
@@ -57,10 +62,12 @@ export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: St
     locate(event);
     update();
   };
-  const up = (event: PointerEvent) => {
-    if (event.pointerId !== pointer) return;
+  const letGo = () => {
     pointer = undefined;
     send(0, 0);
+  };
+  const up = (event: PointerEvent) => {
+    if (event.pointerId === pointer) letGo();
   };
   const handlers = [
     ['pointerdown', down],
@@ -68,12 +75,15 @@ export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: St
     ['pointerup', up],
     ['pointercancel', up],
   ] as const;
+  const { touchAction } = canvas.style;
   canvas.style.touchAction = 'none';
   for (const [type, handler] of handlers) canvas.addEventListener(type, handler);
   return {
     update,
     destroy() {
       for (const [type, handler] of handlers) canvas.removeEventListener(type, handler);
+      canvas.style.touchAction = touchAction;
+      if (pointer !== undefined) letGo();
     },
   };
 }
