@@ -16,6 +16,7 @@ const HALF_EXTENT = 100;
 /** Attractors lie within this distance of the origin along each axis, m. */
 const CLUSTER = 50;
 
+/** Test particles round several fixed attractors. */
 export const attractors = defineScene({
   name: 'attractors',
   description: 'test particles round several fixed attractors',

@@ -42,6 +42,7 @@ export interface BlackHole extends SceneRun {
   placeShip(x: number, y: number): void;
 }
 
+/** A ship among black holes whose discs are their horizons. */
 export const blackHole = defineScene({
   name: 'black-hole',
   description: 'a ship among black holes whose discs are their horizons',

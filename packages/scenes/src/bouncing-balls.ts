@@ -51,6 +51,7 @@ export function ballDrag(mediumDensity: number, radius: number): number {
   return 0.5 * mediumDensity * SPHERE_DRAG * Math.PI * radius * radius;
 }
 
+/** Balls launched together that bounce in a room. */
 export const bouncingBalls = defineScene({
   name: 'bouncing-balls',
   description: 'balls launched together that bounce in a room',

@@ -18,6 +18,7 @@ const DENSITY = 1000;
 /** Memory for contacts and the broad phase. */
 const BYTES_PER_BODY = 600;
 
+/** Discs or balls that fall and collide in a box they fill to two fifths. */
 export const circles = defineScene({
   name: 'circles',
   description: 'discs or balls that fall and collide in a box they fill to two fifths',

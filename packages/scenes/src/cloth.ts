@@ -16,6 +16,7 @@ import { threadStretch } from './stretch.ts';
 /** Edge of the cloth, m. */
 const SIZE = 2;
 
+/** A cloth hung by its upper edge in a breeze. */
 export const cloth = defineScene({
   name: 'cloth',
   description: 'a cloth hung by its upper edge in a breeze',

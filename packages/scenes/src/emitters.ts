@@ -23,6 +23,7 @@ const DT = 1 / 60;
 const SPACING = 20;
 const SPARK_MASS = 0.001;
 
+/** Fountains of sparks that are born, fall and end, a tenth of them every second. */
 export const emitters = defineScene({
   name: 'emitters',
   description: 'fountains of sparks that are born, fall and end, a tenth of them every second',

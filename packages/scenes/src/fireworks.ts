@@ -67,6 +67,7 @@ const GRAVITY = 9.80665;
 /** Magnetic flux density along z, T; fictitious, for the charged stars. */
 const FIELD = 1;
 
+/** Shells that burst into glowing stars; a barrage keeps a number of sparks alive. */
 export const fireworks = defineScene({
   name: 'fireworks',
   description: 'shells that burst into glowing stars; a barrage keeps a number of sparks alive',

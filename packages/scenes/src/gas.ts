@@ -4,6 +4,7 @@ import type { BoxedRun } from './boxed-run.ts';
 import { countOf, defineScene } from './scene.ts';
 import { seededUniforms } from './seeded.ts';
 
+/** Elastic discs or balls in a box that bounce off each other. */
 export const gas = defineScene({
   name: 'gas',
   description: 'elastic discs or balls in a box that bounce off each other',

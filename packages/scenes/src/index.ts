@@ -18,12 +18,14 @@ export { heldStars, maxHoldSeconds, SHELL_NAMES, SHELLS, type ShellForm, type Sh
 export { FIREWORKS_REACH, FIREWORKS_SKY, type Fireworks, fireworks } from './fireworks.ts';
 export { gas } from './gas.ts';
 export { InputLog, type LoggedInput } from './input-log.ts';
+export { molecules } from './molecules.ts';
 export { type ClusterRun, nbodyDirect, nbodyTree } from './n-body/cluster.ts';
 export { galaxy } from './n-body/galaxy.ts';
 export { type PlasmaRun, plasma } from './n-body/plasma.ts';
 export { type Particles, particles } from './particles.ts';
 export { findScene, SCENES } from './registry.ts';
 export { chains } from './rigid/chains.ts';
+export { crowd } from './rigid/crowd.ts';
 export { discs } from './rigid/discs.ts';
 export { elasticDiscs } from './rigid/elastic-discs.ts';
 export { jointGrid } from './rigid/joint-grid.ts';

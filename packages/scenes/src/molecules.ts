@@ -20,6 +20,7 @@ const SPACE = [
   [0, Math.SQRT1_2, Math.SQRT1_2],
 ];
 
+/** A crystal of molecules with the Lennard-Jones force between neighbours, in their own units. */
 export const molecules = defineScene({
   name: 'molecules',
   description: 'a crystal of molecules with the Lennard-Jones force between neighbours, in their own units',

@@ -22,6 +22,7 @@ export interface Particles extends SceneRun {
   readonly restitution: number;
 }
 
+/** Particles under gravity and quadratic drag that bounce in a box. */
 export const particles = defineScene({
   name: 'particles',
   description: 'particles under gravity and quadratic drag that bounce in a box',

@@ -11,6 +11,7 @@ const GAP = 8;
 /** Initial depth of its middle, m: both halves are straight. */
 const DEPTH = Math.sqrt(LENGTH * LENGTH - GAP * GAP) / 2;
 
+/** An inextensible rope hung between two points. */
 export const rope = defineScene({
   name: 'rope',
   description: 'an inextensible rope hung between two points',

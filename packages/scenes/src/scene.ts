@@ -2,6 +2,7 @@ import { type Integrator, PhysicsError, type PhysicsWorld, type Precision, type 
 
 /** A numeric parameter of a scene. */
 export interface SceneParameter {
+  /** What it is, in a few words. */
   readonly about: string;
   /** SI unit; empty for a dimensionless number. */
   readonly unit: string;
@@ -19,7 +20,7 @@ export interface SceneOptions {
   readonly count?: number;
   /** Default 2; scenes of rigid bodies have no other. */
   readonly dimensions?: 2 | 3;
-  /** Default that of the scene, mostly f64. */
+  /** Default that of the scene, mostly f32. */
   readonly precision?: Precision;
   /** Equal seeds and parameters give equal worlds. Default 1. */
   readonly seed?: number;
@@ -95,13 +96,20 @@ export interface SceneSpec<Name extends string, Run extends SceneRun = SceneRun>
   build(setup: Setup<Name>): Run;
 }
 
+/** A world that can be built from parameters, for games, tests and measurements. `SCENES` lists all. */
 export interface Scene<Name extends string = never, Run extends SceneRun = SceneRun> {
+  /** The name by which `findScene` finds it. */
   readonly name: string;
+  /** One line. */
   readonly description: string;
   /** Default precision. */
   readonly precision: Precision;
+  /** The parameters that `create` takes besides `SceneOptions`. */
   readonly parameters: Readonly<Record<Name | 'count', SceneParameter>>;
-  /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+  /**
+   * Builds a new world.
+   * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+   */
   create(options?: SceneOptions & { readonly [Parameter in Name]?: number }): Run;
 }
 

@@ -1,4 +1,5 @@
 import { energy, stateHash, step } from '@principia/physics';
+import * as scenes from '@principia/scenes';
 import { describe, expect, test, vi } from 'vitest';
 import { SCENES } from './registry.ts';
 import type { Scene, SceneRun } from './scene.ts';
@@ -84,6 +85,18 @@ describe.each(SCENES.map((scene) => [scene.name, scene] as const))('scene %s', (
     expect(() => scene.create({ count: Number.NaN })).toThrow(/E_NONFINITE/);
     expect(() => scene.create({ count: '5' as never })).toThrow(/E_TYPE/);
   });
+});
+
+test('every scene of the list can be imported by itself', () => {
+  for (const scene of SCENES) expect(Object.values(scenes), scene.name).toContain(scene);
+});
+
+test('most scenes are in f32, as the docstring of `precision` says', () => {
+  expect(SCENES.filter(({ precision }) => precision === 'f32').length).toBeGreaterThan(SCENES.length / 2);
+});
+
+test('the solar system has states of two epochs, and refuses others', () => {
+  expect(() => scenes.buildSolarSystem({ epoch: 2013 as never })).toThrow('epoch must be 2000 or 2012, got 2013');
 });
 
 test('names of scenes are unique', () => {

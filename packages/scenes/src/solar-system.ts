@@ -13,6 +13,7 @@ export type SolarSystemRun = SceneRun & SolarSystem;
 /** GM of an asteroid, km³/s²: a few kilometres of rock. */
 const ASTEROID = 1e-6;
 
+/** Sun, planets, Moon and Pluto from JPL’s states of 2000, and asteroids. */
 export const solarSystem = defineScene({
   name: 'solar-system',
   description: 'Sun, planets, Moon and Pluto from JPL’s states of 2000, and asteroids',

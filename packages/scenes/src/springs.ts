@@ -9,6 +9,7 @@ const MESH = 0.1;
 /** Natural length of a spring by the edge of a mesh: the net is taut. */
 const SLACK = 0.8;
 
+/** A net of springs stretched between two posts and struck. */
 export const springs = defineScene({
   name: 'springs',
   description: 'a net of springs stretched between two posts and struck',

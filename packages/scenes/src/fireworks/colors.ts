@@ -1,12 +1,15 @@
 // Colours of stars and the salts or metals that produce them.
 import { rgba } from '@principia/physics';
 
+/** A colour of stars. */
 export interface StarColor {
+  /** The colour, and what makes it. */
   readonly name: string;
   /** 0xRRGGBB. */
   readonly rgb: number;
 }
 
+/** The colours of stars; shells name them by index. */
 export const STAR_COLORS: readonly StarColor[] = [
   { name: 'red (strontium)', rgb: 0xff3b30 },
   { name: 'orange (calcium)', rgb: 0xff8a1f },
@@ -18,6 +21,7 @@ export const STAR_COLORS: readonly StarColor[] = [
   { name: 'gold (charcoal)', rgb: 0xffb04a },
 ];
 
+/** The same colours as 0xRRGGBB. */
 export const STAR_RGB: readonly number[] = STAR_COLORS.map(({ rgb }) => rgb);
 
 /** Colour of a star over its life: nearly white, its colour, then fading. */

@@ -17,6 +17,7 @@ export interface FireworksEvent {
 
 const CAPACITY = 256;
 
+/** The last events, for sound and display. */
 export class EventRing {
   /** Number of events so far; the last 256 can be read. */
   count = 0;

@@ -4,6 +4,7 @@
 /** Distribution of the stars' velocities: over a ball, around a ring, or along a few fronds. */
 export type ShellForm = 'ball' | 'ring' | 'palm';
 
+/** A kind of shell: its stars, at full power. */
 export interface ShellKind {
   readonly name: string;
   readonly form: ShellForm;

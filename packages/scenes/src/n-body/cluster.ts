@@ -63,6 +63,7 @@ function clusterOf({ dimensions, precision, seed, progress, parameters }: Setup<
   return { world, dt: 1 / 256, gravity, law, forceError: (of: PhysicsWorld) => gravity.rmsError(of, 1000) };
 }
 
+/** A star cluster in equilibrium, all pairs summed. */
 export const nbodyDirect = defineScene({
   name: 'nbody-direct',
   description: 'a star cluster in equilibrium, all pairs summed',
@@ -75,6 +76,7 @@ export const nbodyDirect = defineScene({
   },
 });
 
+/** A star cluster in equilibrium, by a Barnes-Hut tree. */
 export const nbodyTree = defineScene({
   name: 'nbody-tree',
   description: 'a star cluster in equilibrium, by a Barnes-Hut tree',

@@ -39,6 +39,7 @@ const DISC_SHARE = 0.876;
 /** Standard deviation of the disc's height, in scale lengths. */
 const HEIGHT = 0.05;
 
+/** A disc of stars with a bulge that winds up spiral arms. */
 export const galaxy = defineScene({
   name: 'galaxy',
   description: 'a disc of stars with a bulge that winds up spiral arms',

@@ -40,6 +40,7 @@ export interface PlasmaRun extends SceneRun {
   readonly forceError: (world: PhysicsWorld) => number;
 }
 
+/** Electrons and ions in a magnetic field that ring at their plasma frequency. */
 export const plasma = defineScene({
   name: 'plasma',
   description: 'electrons and ions in a magnetic field that ring at their plasma frequency',

@@ -8,6 +8,7 @@ const LINKS = 50;
 const LENGTH = 0.2;
 const LOAD = 20;
 
+/** Chains of fifty links with a heavy ball at the end, which fall from level and swing. */
 export const chains = defineScene({
   name: 'chains',
   description: 'chains of fifty links with a heavy ball at the end, which fall from level and swing',

@@ -17,6 +17,7 @@ const SIDE = 0.4;
 /** Half of the way that a character walks to and fro, m. */
 const WAY = 6;
 
+/** Characters that walk over hills, and push crates. */
 export const crowd = defineScene({
   name: 'crowd',
   description: 'characters that walk over hills, and push crates',

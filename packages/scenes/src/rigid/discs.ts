@@ -7,6 +7,7 @@ import { GAP, MATERIAL, rigidWorld, runOf, sleeping } from './rigid-scene.ts';
 const RADIUS = 0.25;
 const DISTANCE = 0.55;
 
+/** Discs that fall into a trough and come to rest. */
 export const discs = defineScene({
   name: 'discs',
   description: 'discs that fall into a trough and come to rest',

@@ -8,6 +8,7 @@ const RADIUS = 0.4;
 const DISTANCE = 1;
 const SPEED = 5;
 
+/** Discs that bounce off each other and off the walls of a room, without friction and gravity. */
 export const elasticDiscs = defineScene({
   name: 'elastic-discs',
   description: 'discs that bounce off each other and off the walls of a room, without friction and gravity',

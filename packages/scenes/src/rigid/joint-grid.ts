@@ -3,6 +3,7 @@ import { countOf, defineScene } from '../scene.ts';
 import { seededUniforms } from '../seeded.ts';
 import { rigidWorld, runOf, sleeping } from './rigid-scene.ts';
 
+/** A net of discs and hinges that hangs by seven of them. */
 export const jointGrid = defineScene({
   name: 'joint-grid',
   description: 'a net of discs and hinges that hangs by seven of them',

@@ -8,6 +8,7 @@ import { GAP, rigidWorld, runOf, sleeping } from './rigid-scene.ts';
 const SMALL = 10;
 const SMALL_COUNT = (SMALL * (SMALL + 1)) / 2;
 
+/** Pyramids of 55 boxes, each on a ground of its own. */
 export const manyPyramids = defineScene({
   name: 'many-pyramids',
   description: 'pyramids of 55 boxes, each on a ground of its own',

@@ -19,6 +19,7 @@ export function addPyramid(world: PhysicsWorld, height: number, x: number, y: nu
   }
 }
 
+/** A pyramid of boxes. */
 export const pyramid = defineScene({
   name: 'pyramid',
   description: 'a pyramid of boxes',

@@ -8,6 +8,7 @@ const EDGE = 0.4;
 /** The wall is this many times as wide as high. */
 const RATIO = 1.5;
 
+/** A large box that flies into a wall of small ones, without gravity. */
 export const smash = defineScene({
   name: 'smash',
   description: 'a large box that flies into a wall of small ones, without gravity',

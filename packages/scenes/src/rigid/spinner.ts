@@ -8,6 +8,7 @@ const VERTICES = 360;
 const RADIUS = 40;
 const SPEED = 5;
 
+/** Capsules, discs and boxes stirred by a blade in a ring of smooth edges. */
 export const spinner = defineScene({
   name: 'spinner',
   description: 'capsules, discs and boxes stirred by a blade in a ring of smooth edges',

@@ -7,6 +7,7 @@ import { GAP, MATERIAL, rigidWorld, runOf, sleeping } from './rigid-scene.ts';
 const DRUM_SPEED = 0.4363323129985824;
 const WALL = 0.5;
 
+/** Boxes that tumble in a square drum turned by a motor. */
 export const tumbler = defineScene({
   name: 'tumbler',
   description: 'boxes that tumble in a square drum turned by a motor',

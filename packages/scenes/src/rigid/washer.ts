@@ -8,6 +8,7 @@ const PLATES = 36;
 const [BLADE, INNER, OUTER] = [14, 16, 18];
 const SPEED = (25 * Math.PI) / 180;
 
+/** Boxes that tumble in a round drum of forty plates, one compound body that turns. */
 export const washer = defineScene({
   name: 'washer',
   description: 'boxes that tumble in a round drum of forty plates, one compound body that turns',

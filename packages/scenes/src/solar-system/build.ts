@@ -6,6 +6,7 @@ import {
   gaussRadau,
   type Integrator,
   mutualGravity,
+  PhysicsError,
   type PhysicsWorld,
   type Precision,
   postNewtonian,
@@ -15,6 +16,7 @@ import {
 import { BODY_NAMES, type BodyName, type EpochState, OBLIQUITY, SPEED_OF_LIGHT, STATES } from './states.ts';
 import { STATES_2012 } from './states-2012.ts';
 
+/** Options of `buildSolarSystem`. */
 export interface SolarSystemOptions {
   /** Default 3. */
   readonly dimensions?: 2 | 3;
@@ -34,6 +36,7 @@ export interface SolarSystemOptions {
   readonly epoch?: SolarEpoch;
 }
 
+/** Noon of 1 January 2000, or midnight of 1 January 2012. */
 export type SolarEpoch = 2000 | 2012;
 
 /** The world and the ids of its bodies. */
@@ -42,10 +45,16 @@ export interface SolarSystem {
   readonly ids: Readonly<Partial<Record<BodyName, number>>>;
 }
 
-/** @throws PhysicsError E_CAPACITY */
+/**
+ * Sun, planets, Moon and Pluto as points that attract each other, from JPL's states. Lengths are in km, times in s, and a mass is its
+ * GM in km³/s², so that G = 1; axes are those of the ecliptic of J2000, onto which positions are projected in 2D.
+ * @throws PhysicsError E_RANGE if there is no such epoch, and what `createPhysicsWorld` throws
+ */
 export function buildSolarSystem(options: SolarSystemOptions = {}): SolarSystem {
   const { dimensions = 3, precision = 'f64', seed = 1, moon = true, relativity = true, others = 0 } = options;
   const epoch = options.epoch ?? 2000;
+  if (epoch !== 2000 && epoch !== 2012)
+    throw new PhysicsError('E_RANGE', `epoch must be 2000 or 2012, got ${epoch}.`, { field: 'epoch', value: epoch });
   const world = createPhysicsWorld({
     dimensions,
     precision,

@@ -10,8 +10,10 @@ import { atan2, gaussRadau, step } from '@principia/physics';
 import { buildSolarSystem, type SolarState, type SolarSystem } from './build.ts';
 import { BODY_NAMES, type BodyName, EPOCH, SPEED_OF_LIGHT, STATES } from './states.ts';
 
+/** A transit or another inferior conjunction, a superior conjunction, an opposition, or a conjunction of two planets. */
 export type SkyEventKind = 'transit' | 'inferior' | 'superior' | 'opposition' | 'meeting';
 
+/** Something that is seen in the sky from the centre of the Earth. */
 export interface SkyEvent {
   readonly kind: SkyEventKind;
   readonly body: BodyName;
@@ -51,6 +53,7 @@ type State = Pick<SolarState, 'position' | 'velocity'>;
 const FIELDS = 12;
 const indexOf = (name: BodyName) => FIELDS * BODY_NAMES.indexOf(name);
 
+/** Finds conjunctions, oppositions and transits one after the other, by stepping a solar system of its own. */
 export class SkyEventFinder {
   readonly #system: SolarSystem;
   readonly #ends = new Float64Array(FIELDS * BODY_NAMES.length);

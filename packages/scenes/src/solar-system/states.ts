@@ -97,6 +97,8 @@ export const STATES = {
   },
 } as const satisfies Record<string, EpochState>;
 
+/** The name of a body of the solar system. */
 export type BodyName = keyof typeof STATES;
 
+/** All bodies, by distance from the Sun. */
 export const BODY_NAMES = Object.keys(STATES) as BodyName[];
