@@ -11,7 +11,10 @@ export function sourceOf(options: { readonly source: BodySource } | undefined, c
   throw new Error(`${caller} needs a source of bodies: ${caller}({ source: worldSource(world) })`);
 }
 
-/** @throws Error where a function of a renderer was given no world */
+/**
+ * The world that a function of a renderer was given.
+ * @throws Error where there is none
+ */
 export function worldOf(options: { readonly world: PhysicsWorld } | undefined, caller: string): PhysicsWorld {
   const world: Partial<PhysicsWorld> | undefined = options?.world;
   if (world?.components !== undefined) return world as PhysicsWorld;
@@ -21,7 +24,10 @@ export function worldOf(options: { readonly world: PhysicsWorld } | undefined, c
 /** Every option of a function, so that none is forgotten. */
 export type OptionNames<Options> = Readonly<Record<keyof Required<Options>, true>>;
 
-/** @throws Error where a function of a renderer was given an option that it does not have */
+/**
+ * Checks that a function of a renderer has the options that it was given.
+ * @throws Error for one that it does not have
+ */
 export function checkOptions<Options extends object>(
   options: Options,
   names: OptionNames<Options>,
@@ -33,7 +39,10 @@ export function checkOptions<Options extends object>(
   }
 }
 
-/** @throws Error where the place of a picture between the last two steps is no number */
+/**
+ * Checks the place of a picture between the last two steps: any finite number, though only 0 to 1 lies between them.
+ * @throws Error where it is no number
+ */
 export function checkAlpha(alpha: number): void {
   if (Number.isFinite(alpha)) return;
   throw new Error(

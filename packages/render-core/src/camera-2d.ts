@@ -86,8 +86,9 @@ export function zoomAt(
 }
 
 /**
- * Centres `bounds` in the viewport with a margin of `margin` CSS pixels on every side. The scale does not change if the
- * viewport or the bounds have zero size.
+ * Centres `bounds` in the viewport with a margin of `margin` CSS pixels on every side, 0 by default. Bounds without a width are
+ * fitted by their height, and the reverse. The scale does not change if they are a point, or if the viewport has zero width or
+ * height.
  */
 export function fit(camera: Camera2D, bounds: Bounds2, viewport: ViewportSize, margin = 0): void {
   camera.x = (bounds.minX + bounds.maxX) / 2;

@@ -3,6 +3,7 @@ import { ReleaseVelocity } from './release-velocity.ts';
 
 /** Handlers of pointer input on a canvas. Coordinates are world metres, velocities metres per second. */
 export interface PointerOptions {
+  /** The camera of the picture, which panning and zooming change. */
   camera: Camera2D;
   /** Returns the body under a world point, or 0 for none. If omitted, nothing can be grabbed. */
   pick?(x: number, y: number): number;
@@ -28,6 +29,7 @@ export interface PointerOptions {
 
 /** A canvas that listens to pointers until `destroy()`. */
 export interface PointerControl {
+  /** Releases at rest what is dragged, and stops listening. */
   destroy(): void;
 }
 

@@ -3,6 +3,7 @@ import { TEXTURE_WIDTH } from './column-upload.ts';
 
 /** The source and size of a trail history. */
 export interface TrailOptions {
+  /** The bodies, by `worldSource`. */
   source: BodySource;
   /** Points kept per body, at least 2. */
   length: number;
@@ -56,6 +57,7 @@ export class TrailHistory {
   readonly #seen: Uint32Array;
   #posesSinceRecording: number;
 
+  /** @throws Error where `length`, `interval` or one of `bodies` is out of range */
   constructor(options: TrailOptions) {
     const { source, length, bodies, interval = 1, origin } = options;
     if (!Number.isInteger(length) || length < 2) {
@@ -115,7 +117,7 @@ export class TrailHistory {
     this.#posesSinceRecording = this.interval;
   }
 
-  /** Makes the recorded points relative to another origin, metres. Costs one pass over all of them. */
+  /** Makes the recorded points relative to another origin, metres; `z` default 0. Costs one pass over all of them. */
   setOrigin(x: number, y: number, z = 0): void {
     shift(this.x, this.origin.x - x);
     shift(this.y, this.origin.y - y);

@@ -28,7 +28,7 @@ export function sizeToFill(parent: HTMLElement, maxResolution = 2) {
  * Watches the parent element of a canvas and reports its size, so that the application can resize its renderer.
  * `onResize` is called once at the start, and then only when the size or the resolution changed; it is not called for
  * a hidden (zero-sized) parent, since a renderer cannot draw to nothing, but `width` and `height` then keep the last
- * real size.
+ * real size, or are 1 before there was any.
  *
  * @param onResize receives width and height in CSS pixels and the resolution
  * @throws Error when there is no canvas, or it is not attached to a parent element

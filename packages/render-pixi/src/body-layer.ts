@@ -59,7 +59,8 @@ const OPTION_NAMES: OptionNames<BodyLayerOptions> = {
  * Draws every body of a source as the shape of its collider, or as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
  * id, so the cost in JavaScript is one upload per changed column, independent of the number of bodies.
  *
- * @throws Error when there is no source, an option is out of range or the source's rows are not a multiple of 1024
+ * @throws Error when there is no source, or an option is out of range or does not exist; the first `update` also where the source's
+ * rows are not a multiple of 1024
  */
 export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
   const source = sourceOf(options, 'createBodyLayer');

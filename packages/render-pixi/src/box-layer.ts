@@ -22,9 +22,11 @@ export interface BoxLayerOptions {
 
 /** The boxes of the broad phase, for looking into a simulation. */
 export interface BoxLayer {
+  /** Add it anywhere, as that of a body layer. */
   readonly container: Container;
   /** Draws the boxes that the last step left; call it once a frame before rendering. */
   update(): void;
+  /** Frees the layer's resources and removes it from its parent. */
   destroy(): void;
 }
 
@@ -45,7 +47,10 @@ const OPTION_NAMES: OptionNames<BoxLayerOptions> = {
   byIsland: true,
 };
 
-/** Creates a layer that shows the boxes of rigid bodies, and which sleep. @throws Error when an option is out of range */
+/**
+ * Creates a layer that shows the boxes of rigid bodies, and which sleep.
+ * @throws Error when there is no world, or an option is out of range or does not exist
+ */
 export function createBoxLayer(options: BoxLayerOptions): BoxLayer {
   const world = worldOf(options, 'createBoxLayer');
   checkOptions(options, OPTION_NAMES, 'createBoxLayer');

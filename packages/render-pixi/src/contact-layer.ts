@@ -14,7 +14,7 @@ export interface ContactLayerOptions {
   pointSize?: number;
   /** Length of a normal, m; default 0.25. */
   normalLength?: number;
-  /** Colours of points and normals, as 0xRRGGBB; default 0xff5050 and 0xffd060. */
+  /** Colour of points, as 0xRRGGBB; default 0xff5050. */
   pointColor?: number;
   /** Colour of normals, as 0xRRGGBB; default 0xffd060. */
   normalColor?: number;
@@ -24,9 +24,11 @@ export interface ContactLayerOptions {
 
 /** Contact points of rigid bodies and their normals, for looking into a simulation. */
 export interface ContactLayer {
+  /** Add it anywhere, as that of a body layer. */
   readonly container: Container;
   /** Draws the contacts of the last step, where the bodies are now; call it once a frame before rendering. */
   update(): void;
+  /** Frees the layer's resources and removes it from its parent. */
   destroy(): void;
 }
 
@@ -40,7 +42,10 @@ const OPTION_NAMES: OptionNames<ContactLayerOptions> = {
   byColor: true,
 };
 
-/** Creates a layer that shows where rigid bodies touch. @throws Error when an option is out of range */
+/**
+ * Creates a layer that shows where rigid bodies touch.
+ * @throws Error when there is no world, or an option is out of range or does not exist
+ */
 export function createContactLayer(options: ContactLayerOptions): ContactLayer {
   const world = worldOf(options, 'createContactLayer');
   checkOptions(options, OPTION_NAMES, 'createContactLayer');

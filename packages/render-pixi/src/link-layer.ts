@@ -10,11 +10,13 @@ import { SourceTextures } from './source-textures.ts';
 
 /** Options of a link layer. */
 export interface LinkLayerOptions extends LineStyle {
+  /** The bodies, by `worldSource`. */
   source: BodySource;
 }
 
 /** Lines between the centres of bodies: springs, ropes, cloth, constellations. */
 export interface LinkLayer {
+  /** Add it anywhere, as that of a body layer. */
   readonly container: Container;
   /**
    * Replaces the links; needed only when they change, since the lines follow the bodies.
@@ -27,6 +29,7 @@ export interface LinkLayer {
   set(pairs: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
   /** Updates the picture; call it once a frame, as for bodies. */
   update(alpha: number): void;
+  /** Frees the layer's resources and removes it from its parent. */
   destroy(): void;
 }
 
@@ -39,7 +42,10 @@ const OPTION_NAMES: OptionNames<LinkLayerOptions> = {
   pixelsPerMetre: true,
 };
 
-/** Creates an empty layer of links between bodies of `source`. @throws Error when an option is out of range */
+/**
+ * Creates an empty layer of links between bodies of `source`.
+ * @throws Error when there is no source, or an option is out of range or does not exist
+ */
 export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
   const source = sourceOf(options, 'createLinkLayer');
   checkOptions(options, OPTION_NAMES, 'createLinkLayer');

@@ -9,6 +9,7 @@ import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
 
 /** Straight lines with round ends from numbers: walls, force arrows, debug geometry. */
 export interface SegmentLayer {
+  /** Add it anywhere, as that of a body layer. */
   readonly container: Container;
   /**
    * Replaces the lines. The numbers are copied, so the array may be reused immediately; no garbage is created.
@@ -21,6 +22,7 @@ export interface SegmentLayer {
   set(segments: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
   /** World point, metres, to which the next `set` makes lines relative; see `BodyLayer.setOrigin`. */
   setOrigin(x: number, y: number): void;
+  /** Frees the layer's resources and removes it from its parent. */
   destroy(): void;
 }
 
@@ -32,7 +34,7 @@ const OPTION_NAMES: OptionNames<LineStyle> = {
   pixelsPerMetre: true,
 };
 
-/** Creates an empty layer of lines. @throws Error when an option is out of range */
+/** Creates an empty layer of lines. @throws Error when an option is out of range or does not exist */
 export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
   checkOptions(options, OPTION_NAMES, 'createSegmentLayer');
   const segmentsTexture = new ColumnTexture('real', 4);

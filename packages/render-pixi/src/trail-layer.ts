@@ -9,6 +9,7 @@ import { TrailTextures } from './trail-textures.ts';
 
 /** How a trail layer draws. */
 export interface TrailLayerOptions {
+  /** The bodies, by `worldSource`. */
   source: BodySource;
   /** Points per trail, at least 2; default 32. */
   length?: number;
@@ -40,6 +41,7 @@ export interface TrailLayerOptions {
 
 /** Trails behind the bodies of a world, to be added to a pixi stage below the bodies. */
 export interface TrailLayer {
+  /** Add it anywhere, as that of a body layer. */
   readonly container: Container;
   /** The recorded points; `history.clear()` and `history.restart(id)` start trails afresh. */
   readonly history: TrailHistory;
@@ -67,7 +69,7 @@ const OPTION_NAMES: OptionNames<TrailLayerOptions> = {
  * Draws a fading line through the last positions of each body. A step uploads one position per body, and the GPU builds
  * the lines, so trails cost the processor about as much as the bodies themselves.
  *
- * @throws Error when an option is out of range or the trails do not fit into a texture
+ * @throws Error when there is no source, an option is out of range or does not exist, or the trails do not fit into a texture
  */
 export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
   const source = sourceOf(options, 'createTrailLayer');

@@ -44,8 +44,19 @@ it('names an option that does not exist, and those that do', () => {
   expect(() => createTrailLines(trail)).toThrow('createTrailLines has no option “colour”');
   const line = { thickness: 2 };
   expect(() => createSegmentLines(line as object)).toThrow('its options are color, width');
-  expect(() => createOrbitCamera({ target: 0 } as never)).toThrow('createOrbitCamera has no option “target”');
+  expect(() => createOrbitCamera({ element: {}, target: 0 } as never)).toThrow(
+    'createOrbitCamera has no option “target”',
+  );
   expect(() => listenToBodyDragging({} as never, { source, onDrop() {} } as never)).toThrow('no option “onDrop”');
+});
+
+it('says which element and which opacity it needs', () => {
+  expect(() => createOrbitCamera(undefined as never)).toThrow('createOrbitCamera({ element: canvas })');
+  expect(() => createOrbitCamera({} as never)).toThrow('createOrbitCamera({ element: canvas })');
+  const source = worldSource(world);
+  for (const opacity of [-0.1, 1.1, Number.NaN]) {
+    expect(() => createTrailLines({ source, length: 8, opacity })).toThrow('opacity must be a number from 0 to 1');
+  }
 });
 
 it('needs a number for the place between two steps', () => {

@@ -55,7 +55,7 @@ const OPTION_NAMES: OptionNames<BodyMeshOptions> = {
  * are polygons are plates, as thick as they are narrow, and capsules are capsules.
  *
  * @throws Error when there is no source, `segments` is not a whole number of at least 3, `geometry` is given for impostors, `material`
- * draws another body mesh, or a column has another length than `rows`
+ * is none or draws another body mesh, an option does not exist, or a column has another length than `rows`
  */
 export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   const source = sourceOf(options, 'createBodyMesh');

@@ -3,8 +3,9 @@ import type { BufferGeometry, ColorRepresentation, Material, Mesh } from 'three'
 
 /** Options of `createBodyMesh`. */
 export interface BodyMeshOptions {
+  /** The bodies, by `worldSource`. */
   source: BodySource;
-  /** Colour of bodies whose colour is zero; default a light blue. */
+  /** Colour of bodies whose colour is zero; default a light blue, 0x8fb8ff. */
   defaultColor?: ColorRepresentation;
   /**
    * Any mesh material of three, used for these bodies alone until they are destroyed: it is rewritten to read the columns.
@@ -30,9 +31,9 @@ export interface BodyMeshOptions {
    * only.
    */
   minPixelRadius?: number;
-  /** Default false. */
+  /** Whether bodies cast shadows. Default false. */
   castShadow?: boolean;
-  /** Default false. */
+  /** Whether shadows fall on bodies. Default false. */
   receiveShadow?: boolean;
 }
 

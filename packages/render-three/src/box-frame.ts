@@ -7,13 +7,14 @@ export interface BoxFrame {
   readonly object: Object3D;
   /** Draws another box, metres. */
   set(box: Box3): void;
+  /** Frees the GPU's memory; remove `object` from the scene yourself. */
   destroy(): void;
 }
 
 /**
  * Draws the edges of `box`, metres; a flat box (as of a 2D world) is drawn as its rectangle.
  *
- * @throws Error when the box is empty: a corner of `min` above that of `max`
+ * @throws Error when the box is empty, a corner of `min` above that of `max`, in `set` too; or when an option is wrong
  */
 export function createBoxFrame(box: Box3, options: SegmentLinesOptions = {}): BoxFrame {
   const lines = createSegmentLines(options);

@@ -17,10 +17,15 @@ export interface OrbitCameraOptions {
 
 /** A camera that turns about a point; drag orbits, wheel and pinch zoom, right button or two fingers pan. */
 export interface OrbitCamera {
+  /** The camera to render with. */
   readonly camera: PerspectiveCamera | OrthographicCamera;
   /** three's own controls, for all of their settings. */
   readonly controls: OrbitControls;
-  /** Targets the centre of `bounds` from the present direction, at the smallest distance that shows all of it. */
+  /**
+   * Targets the centre of `bounds` from the present direction, at the smallest distance that shows all of it; a parallel camera is
+   * zoomed. Sets the clip planes.
+   * @throws Error when the box is empty
+   */
   fit(bounds: Box3): void;
   /**
    * Keeps a point in the middle while the application goes on moving it; `undefined` stops that. The object is read
@@ -29,13 +34,22 @@ export interface OrbitCamera {
   follow(position: { readonly x: number; readonly y: number; readonly z: number } | undefined): void;
   /** Call once a frame with the seconds since the last one. */
   update(seconds: number): void;
+  /** Ends the controls; the camera stays as it is. */
   destroy(): void;
 }
 
 const OPTION_NAMES: OptionNames<OrbitCameraOptions> = { element: true, camera: true, followRate: true };
 
-/** Creates a camera with three.js' `OrbitControls` on `element`. */
+/**
+ * Creates a camera with three.js' `OrbitControls` on `element`, which glides on after a drag (`controls.enableDamping`).
+ * @throws Error when there is no element, or an option does not exist
+ */
 export function createOrbitCamera(options: OrbitCameraOptions): OrbitCamera {
+  if (options?.element === undefined) {
+    throw new Error(
+      'createOrbitCamera needs the element that hears the pointer: createOrbitCamera({ element: canvas })',
+    );
+  }
   checkOptions(options, OPTION_NAMES, 'createOrbitCamera');
   const { element, followRate = 8 } = options;
   const camera = options.camera ?? defaultCamera();

@@ -6,7 +6,7 @@ import { createWideLineMesh } from './wide-line-mesh.ts';
 
 /** Options of `createSegmentLines`. */
 export interface SegmentLinesOptions {
-  /** Default colour of segments; light grey if omitted. */
+  /** Colour of segments that are added without one; default a light grey, 0xc0c8d4. */
   color?: ColorRepresentation;
   /** Width in CSS pixels; default 1.5. */
   width?: number;
@@ -16,6 +16,7 @@ export interface SegmentLinesOptions {
 export interface SegmentLines {
   /** Add it to the scene. */
   readonly object: Object3D;
+  /** Number of segments. */
   readonly count: number;
   /** Removes all segments; the memory is kept. */
   clear(): void;
@@ -26,6 +27,7 @@ export interface SegmentLines {
    * @param colorB the same at `b`; left out, `color`
    */
   add(ax: number, ay: number, az: number, bx: number, by: number, bz: number, color?: number, colorB?: number): void;
+  /** Frees the GPU's memory; remove `object` from the scene yourself. */
   destroy(): void;
 }
 
@@ -53,7 +55,7 @@ const ENDS = 2;
 
 const OPTION_NAMES: OptionNames<SegmentLinesOptions> = { color: true, width: true };
 
-/** Creates an empty list of lines. */
+/** Creates an empty list of lines. @throws Error when `width` is not above 0, or an option does not exist */
 export function createSegmentLines(options: SegmentLinesOptions = {}): SegmentLines {
   checkOptions(options, OPTION_NAMES, 'createSegmentLines');
   const defaultColor = colorBytes(options.color ?? 0xc0c8d4);

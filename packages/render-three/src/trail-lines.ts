@@ -32,6 +32,7 @@ export interface TrailLines {
    * @param alpha blend of previous and present step that the bodies are drawn with, so that the line meets its body
    */
   update(alpha: number): void;
+  /** Frees the GPU's memory; remove `object` from the scene yourself. */
   destroy(): void;
 }
 
@@ -53,7 +54,8 @@ const OPTION_NAMES: OptionNames<TrailLinesOptions> = {
 /**
  * Draws the trails of bodies from a ring of past positions on the GPU: a step sends one slice, whatever the length.
  *
- * @throws Error when `length` is below 2 or above 2048, or `bodies` names an id outside the source
+ * @throws Error when there is no source, `length` is below 2 or above 2048, `bodies` names an id outside the source, or another
+ * option is out of range or does not exist
  */
 export function createTrailLines(options: TrailLinesOptions): TrailLines {
   const source = sourceOf(options, 'createTrailLines');
@@ -62,6 +64,7 @@ export function createTrailLines(options: TrailLinesOptions): TrailLines {
   if (options.length > MAX_LENGTH) {
     throw new Error(`trails can have at most ${MAX_LENGTH} points, got ${options.length}: raise interval instead`);
   }
+  if (!(opacity >= 0 && opacity <= 1)) throw new Error(`opacity must be a number from 0 to 1, got ${opacity}`);
   const history = new TrailHistory(options);
   const textures = new TrailTextures(history, options);
   const { uniforms } = textures;

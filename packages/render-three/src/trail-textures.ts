@@ -16,7 +16,7 @@ import { ColumnTexture } from './column-texture.ts';
 export interface TrailColors {
   /** One colour for all trails; if omitted, each has the colour of its body. */
   color?: ColorRepresentation;
-  /** Colour of trails whose body has no colour; default a light blue, as for bodies. */
+  /** Colour of trails whose body has no colour; default a light blue, 0x8fb8ff, as for bodies. */
   defaultColor?: ColorRepresentation;
 }
 
