@@ -3,7 +3,9 @@ import { words } from './words.ts';
 
 /** The settings that a game's page reads from its URL. */
 export interface Address<S extends Settings> {
+  /** The settings: those of the URL, and the defaults of others. */
   readonly values: ValuesOf<S>;
+  /** Seed of the first world, 0 to 2³² − 1; default 1. */
   readonly seed: number;
   /** Name of one of the game's renderers. */
   readonly renderer: string;

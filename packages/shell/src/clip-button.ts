@@ -13,12 +13,17 @@ export interface ClipControl {
 
 /** A button that starts a clip and counts down while it is recorded. */
 export interface ClipButton {
+  /** Put it anywhere. */
   readonly button: HTMLButtonElement;
   /** Shows the state; call it a few times a second. */
   update(): void;
 }
 
-/** @param idle label while no clip is recorded */
+/**
+ * Creates a button that starts a clip and counts down.
+ * @param className classes of the button; default none
+ * @param idle label while no clip is recorded; default that of the shell
+ */
 export function createClipButton(clip: ClipControl, className = '', idle = words().clip): ClipButton {
   const button = element('button', className, { type: 'button', 'data-clip': '' });
   button.addEventListener('click', () => clip.toggle());

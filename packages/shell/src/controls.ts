@@ -21,10 +21,13 @@ export interface ControlButton {
 
 /** How a game is controlled. Button names give the layout of the touch pad: `up`, `left`, `right`, `down`, `action`. */
 export interface Controls<Sim> {
+  /** The buttons by name. */
   readonly buttons: Readonly<Record<string, ControlButton>>;
   /** Shows the touch pad to a mouse too, which has no other way to these buttons; default false. */
   readonly forMouse?: boolean;
+  /** The player presses a button: once, however many keys, fingers and gamepads hold it. */
   press(sim: Sim, name: string): void;
+  /** The last of them has let go. */
   release(sim: Sim, name: string): void;
   /**
    * Takes the deflection of a stick, on the screen or of a gamepad: fractions per axis, y up, at most 1 long; (0, 0) when
@@ -39,6 +42,7 @@ export interface ControlListener {
   poll(): void;
   /** Releases all buttons, as when the window loses the focus. */
   releaseAll(): void;
+  /** Releases all buttons, removes the touch pad and stops listening. */
   destroy(): void;
 }
 
@@ -86,7 +90,10 @@ class HeldButtons {
 
 /**
  * Listens to keys, the touch pad and gamepads.
- * @param parent element that receives the touch pad @param within hears the keys; default the whole page
+ * @param parent element that receives the touch pad
+ * @param sim the simulation that buttons act on
+ * @param within hears the keys; default the whole page
+ * @param gamepads the gamepads, read in `poll`; default those of the browser
  */
 export function listenToControls<Sim>(
   parent: HTMLElement,

@@ -1,4 +1,7 @@
-/** A table with one line of names; names with a comma are quoted. */
+/**
+ * A table with one line of names; names with a comma or a quotation mark are quoted.
+ * @param columns at least one, all as long as the first; numbers have a decimal point
+ */
 export function csvOf(names: readonly string[], columns: readonly ArrayLike<number>[]): string {
   const head = names.map((name) => (/[",]/.test(name) ? `"${name.replaceAll('"', '""')}"` : name)).join();
   const rows = Array.from(columns[0], (_, row) => columns.map((column) => column[row]).join());

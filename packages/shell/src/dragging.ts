@@ -11,11 +11,13 @@ export interface Dragging {
   holds(pointer: number): boolean;
   /** Grabs body `id` unless it is dragged already. The offset between body and pointer is kept. */
   grab(pointer: number, id: number, x: number, y: number, z?: number): void;
+  /** The pointer moved: its bodies follow with the next step. Nothing happens if it drags none. */
   move(pointer: number, x: number, y: number, z?: number): void;
   /** Releases the pointer's bodies with the given velocity. */
   release(pointer: number, vx: number, vy: number, vz?: number): void;
   /** Moves dragged bodies to their pointers without a step, for example while the game is paused. */
   place(): void;
+  /** Releases all bodies at rest. */
   releaseAll(): void;
   /** Releases all bodies without a throw: masses are restored, velocities stay. */
   dropAll(): void;

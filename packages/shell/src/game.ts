@@ -9,6 +9,7 @@ import type { Settings, ValuesOf } from './settings.ts';
 
 /** A world and its time step; a `SceneRun` of the scenes package is a `Simulation`. */
 export interface Simulation {
+  /** The shell steps and, when it is replaced, destroys it. */
   readonly world: PhysicsWorld;
   /** Length of every step, s. */
   readonly dt: number;
@@ -16,14 +17,19 @@ export interface Simulation {
 
 /** The parameters of a new world. */
 export interface SimulationOptions<S extends Settings> {
+  /** A copy of the player's settings. */
   readonly values: ValuesOf<S>;
+  /** The same seed shall give the same world. */
   readonly seed: number;
+  /** Those of the renderer that is shown. */
   readonly dimensions: 2 | 3;
 }
 
 /** Margins of the stage that the toolbar and the sidebar cover, CSS pixels. */
 export interface Insets {
+  /** Of the toolbar. */
   readonly top: number;
+  /** Of the sidebar, if it stands beside the stage. */
   readonly right: number;
   readonly bottom: number;
   readonly left: number;
@@ -33,9 +39,11 @@ export interface Insets {
 export interface ViewContext<S extends Settings, Sim extends Simulation> {
   /** The view appends its canvas to this element, which fills the window or the element of the game. */
   readonly element: HTMLElement;
+  /** What the toolbar, the sidebar and the timeline cover now. The object is used again. */
   readonly insets: () => Insets;
   /** The world on display; replaced by every reset. */
   readonly sim: () => Sim;
+  /** The present settings. */
   readonly values: () => Readonly<ValuesOf<S>>;
   /** Toggles a switch of the game, as its key does. */
   readonly toggle: (setting: keyof S & string) => void;
@@ -57,6 +65,7 @@ export interface ViewContext<S extends Settings, Sim extends Simulation> {
 
 /** A view draws a simulation. */
 export interface View {
+  /** What is drawn to: what gets the focus, is photographed and filmed. */
   readonly canvas: HTMLCanvasElement;
   /** Called when the world was replaced or the appearance changed (`world`), or when a setting changed. */
   refresh(change: 'world' | 'setting'): void;
@@ -72,6 +81,7 @@ export interface View {
   setCamera?(numbers: readonly number[]): void;
   /** Position of a world point on the canvas, CSS pixels. */
   toScreen(x: number, y: number, z: number): { x: number; y: number };
+  /** Ends what the view began: listeners, textures, the canvas with its graphics context. */
   destroy(): void;
 }
 
@@ -79,8 +89,12 @@ export interface View {
 export interface Renderer<S extends Settings, Sim extends Simulation> {
   /** Label on the switch, such as `2D`. */
   readonly label: string;
+  /** Dimensions of the worlds that it draws: `create` gets them. */
   readonly dimensions: 2 | 3;
-  /** Creates the view. The renderer is imported here so that a page loads only the renderers that it shows. */
+  /**
+   * Creates the view. The renderer is imported here so that a page loads only the renderers that it shows. What it throws is shown
+   * to the player as a sentence, with a button to try again.
+   */
   open(context: ViewContext<S, Sim>): Promise<View>;
 }
 
@@ -115,11 +129,13 @@ export type HelpLine = readonly [input: string, description: string, gesture?: s
 
 /** The definition of a game. */
 export interface GameDefinition<S extends Settings, Sim extends Simulation> {
+  /** The name, in the toolbar and in the names of files. */
   readonly title: string;
   /** Name under which the browser keeps scores; default the title. A game of several languages has one for all. */
   readonly scoresName?: string;
   /** On phones the sidebar is a sheet below or beside the picture, open at the start; default false. */
   readonly hasSheet?: boolean;
+  /** The settings by name, in the order of the panel. */
   readonly settings: S;
   /** Renderers by name as in `?renderer=`; the first is the default. */
   readonly renderers: Readonly<Record<string, Renderer<S, Sim>>>;

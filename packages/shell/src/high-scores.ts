@@ -2,6 +2,7 @@ import { browserStore, type LocalStore, readLocal, writeLocal } from './local-st
 
 /** A score reached in this browser. */
 export interface HighScore {
+  /** Above 0. */
   readonly score: number;
   /** Date in the form 2001-12-31. */
   readonly day: string;
@@ -9,13 +10,13 @@ export interface HighScore {
 
 const MAX_SCORES = 5;
 
-/** The best scores of a game in the browser's storage; without storage they last as long as the page. */
+/** The five best scores of a game in the browser's storage; without storage they last as long as the page. */
 export class HighScores {
   readonly #key: string;
   readonly #storage: LocalStore | undefined;
   #list: readonly HighScore[];
 
-  /** @param game name under which the scores are stored */
+  /** @param game name under which the scores are stored @param storage default `localStorage`, where the browser allows it */
   constructor(game: string, storage: LocalStore | undefined = browserStore()) {
     this.#key = `principia scores: ${game}`;
     this.#storage = storage;
@@ -27,11 +28,12 @@ export class HighScores {
     return this.#list;
   }
 
+  /** The best score; 0 while there is none. */
   get best(): number {
     return this.#list[0]?.score ?? 0;
   }
 
-  /** Adds a score. @returns its index in the list, −1 if it is not among the best */
+  /** Adds a score. @returns its index in the list, −1 if it is not among the best or not above 0 */
   add(score: number, day: string): number {
     if (!(score > 0 && Number.isFinite(score))) return -1;
     const entry = { score, day };

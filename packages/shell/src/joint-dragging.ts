@@ -26,7 +26,10 @@ interface Drag {
   readonly joint: number;
 }
 
-/** `dragBodies` for a world of rigid bodies: the `drag` of a game. */
+/**
+ * `dragBodies` for a world of rigid bodies: the `drag` of a game. Bodies keep the speed that they have when they are released,
+ * whatever that of the pointer is; those without mass or of infinite mass, and all while the world is full, are not grabbed.
+ */
 export function dragByJoints(world: PhysicsWorld, { maxSpeed = 50, limit }: DragOptions = {}): Dragging {
   /** Keyed by body id. */
   const drags = new Map<number, Drag>();

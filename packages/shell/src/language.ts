@@ -1,6 +1,7 @@
 /** The language of the page, and how it writes numbers. */
 
 export const LANGUAGES = ['en', 'de'] as const;
+/** A language of the shell. */
 export type Language = (typeof LANGUAGES)[number];
 
 /** English until a page says that it has its words in all languages: no page mixes two. */

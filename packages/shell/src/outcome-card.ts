@@ -7,6 +7,7 @@ import { words } from './words.ts';
 export interface Outcome {
   /** For example `Game over`. */
   readonly title: string;
+  /** For the high scores, if above 0. */
   readonly score: number;
   /** Lines below the title. */
   readonly lines: readonly string[];

@@ -11,10 +11,15 @@ const STEPS_BUDGET = 50;
 
 /** A running game without a page: its world, its settings and its clock. */
 export class Session<S extends Settings, Sim extends Simulation> {
+  /** What is played. */
   readonly game: GameDefinition<S, Sim>;
+  /** The present settings; `set` changes them. */
   readonly values: ValuesOf<S>;
+  /** Seed of the present world, and of the next one unless `reset` gets another. */
   seed: number;
+  /** Dimensions of the next world. */
   dimensions: 2 | 3 = 2;
+  /** Whether `advance` takes no steps. */
   paused = false;
   /** Simulated seconds per real second; below one is slow motion. */
   speed = 1;
@@ -37,6 +42,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
   readonly #appliedColors = { safe: false };
   readonly #clock: () => number;
 
+  /** There is no world before `reset`. @param clock milliseconds, for measuring steps; default `performance.now` */
   constructor(game: GameDefinition<S, Sim>, values: ValuesOf<S>, seed: number, clock = () => performance.now()) {
     this.game = game;
     this.values = values;
@@ -49,11 +55,13 @@ export class Session<S extends Settings, Sim extends Simulation> {
     return this.#sim !== undefined;
   }
 
+  /** The present world. @throws Error before the first `reset` and after `destroy` */
   get sim(): Sim {
     if (this.#sim === undefined) throw new Error('The game has not started yet.');
     return this.#sim;
   }
 
+  /** The bodies that pointers drag. @throws Error before the first `reset` and after `destroy` */
   get dragging(): Dragging {
     if (this.#dragging === undefined) throw new Error('The game has not started yet.');
     return this.#dragging;
@@ -123,11 +131,12 @@ export class Session<S extends Settings, Sim extends Simulation> {
     return this.#history === undefined ? 0 : this.sim.world.time - this.#history.timeAt(0);
   }
 
-  /** The recorded moments: their number, and the index of the one that the world stands at or came from last. */
+  /** Number of recorded moments. */
   get moments(): number {
     return this.#history?.count ?? 1;
   }
 
+  /** Index of the recorded moment that the world stands at or came from last. */
   get moment(): number {
     return this.#history?.index ?? 0;
   }

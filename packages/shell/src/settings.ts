@@ -2,15 +2,19 @@ import { words } from './words.ts';
 
 /** A numeric setting. */
 export interface NumberSetting {
+  /** Says that it is a number. */
   readonly kind: 'number';
   /** Label in the panel. */
   readonly label: string;
   /** SI unit; empty for a dimensionless number. */
   readonly unit: string;
+  /** The default value, from `min` to `max`. */
   readonly initial: number;
+  /** The least value. */
   readonly min: number;
-  /** Where it is a getter, the panel follows it. */
+  /** The greatest value. Where it is a getter, the panel follows it. */
   readonly max: number;
+  /** Whether only integers are allowed. */
   readonly integer: boolean;
   /** Step of the slider; default about a hundredth of the range, or 1 for integers. */
   readonly step?: number;
@@ -26,8 +30,11 @@ export interface NumberSetting {
 
 /** A setting that is on or off. */
 export interface SwitchSetting {
+  /** Says that it is a switch. */
   readonly kind: 'switch';
+  /** Label in the panel. */
   readonly label: string;
+  /** Whether it is on at first. */
   readonly initial: boolean;
   /** A key that toggles the setting, such as `t`. Default none. */
   readonly key?: string;
@@ -39,8 +46,11 @@ export interface SwitchSetting {
 
 /** A choice among several words. */
 export interface ChoiceSetting {
+  /** Says that it is a choice. */
   readonly kind: 'choice';
+  /** Label in the panel. */
   readonly label: string;
+  /** The default value, one of those in `choices`. */
   readonly initial: string;
   /** Values of the choices by their labels in the panel. */
   readonly choices: Readonly<Record<string, string>>;
@@ -50,8 +60,11 @@ export interface ChoiceSetting {
   readonly lang?: string;
 }
 
+/** A setting of a game. */
 export type Setting = NumberSetting | SwitchSetting | ChoiceSetting;
+/** The settings of a game, by name. */
 export type Settings = Readonly<Record<string, Setting>>;
+/** The value of a setting: of a number, of a switch, of a choice. */
 export type Value = number | boolean | string;
 
 /** The values of a game's settings, by name. */
@@ -63,9 +76,13 @@ export type ValuesOf<S extends Settings> = {
 export interface ParameterLike {
   /** What it is, for the tooltip. Default none. */
   readonly about?: string;
+  /** SI unit; empty for a dimensionless number. */
   readonly unit: string;
+  /** The default value. */
   readonly initial: number;
+  /** The least value. */
   readonly min: number;
+  /** The greatest value. */
   readonly max: number;
   /** Whether only integers are allowed. Default false. */
   readonly integer?: boolean;
@@ -79,6 +96,7 @@ export function numberSetting(
   return { kind: 'number', integer: false, ...parameter, ...own };
 }
 
+/** Creates a setting that is on or off. @param own its key and its tooltip; default none */
 export function switchSetting(label: string, initial: boolean, own: { key?: string; about?: string } = {}) {
   return { kind: 'switch', label, initial, ...own } as const satisfies SwitchSetting;
 }

@@ -1,4 +1,3 @@
-/** Short sounds, synthesised: a tone that glides, and filtered noise. Where Web Audio is missing or blocked, silence. */
 import { connectToSpeakers } from './sound-outputs.ts';
 
 /** A sound with an exponential decay. */
@@ -21,6 +20,10 @@ export interface SoundShape {
 const MAX_VOICES = 14;
 const GESTURES = ['pointerdown', 'keydown', 'touchend'] as const;
 
+/**
+ * Short sounds, synthesised: a tone that glides, and filtered noise, 14 at a time at most. Nothing is heard before the first gesture on
+ * the page, on a hidden page, in a preview, and where Web Audio is missing or blocked.
+ */
 export class Synth {
   /** Number of sounds played so far. */
   count = 0;
@@ -44,6 +47,7 @@ export class Synth {
     return this.#isOn && this.#context?.state === 'running';
   }
 
+  /** Turns all sounds on or off; they are on at first. */
   set(on: boolean): void {
     if (on === this.#isOn) return;
     this.#isOn = on;
@@ -70,6 +74,7 @@ export class Synth {
     this.#play(context, source, [filter], shape);
   }
 
+  /** Ends all sounds for good. */
   destroy(): void {
     this.#stop.abort();
     this.#isBlocked = true;

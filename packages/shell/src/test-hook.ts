@@ -5,14 +5,19 @@ import type { Settings } from './settings.ts';
 
 /** A body for tests: SI units, and its position on the canvas in CSS pixels. */
 export interface BodyState {
+  /** Entity id. */
   readonly id: number;
+  /** Position, m. */
   readonly x: number;
   readonly y: number;
   readonly z: number;
+  /** Velocity, m/s. */
   readonly vx: number;
   readonly vy: number;
   readonly vz: number;
+  /** Radius of the collider, m. */
   readonly radius: number;
+  /** Where it is on the canvas, CSS pixels; undefined without a view. */
   readonly screen: { readonly x: number; readonly y: number } | undefined;
 }
 
@@ -20,25 +25,41 @@ export interface BodyState {
 export interface GameState {
   /** Whether the view and the sidebar are ready. */
   readonly ready: boolean;
+  /** Name of the renderer, as in the address. */
   readonly renderer: string;
+  /** Whether the game is paused. */
   readonly paused: boolean;
   /** Simulated seconds per real second. */
   readonly speed: number;
-  /** Simulated seconds that can be rewound, whether recorded moments lie ahead, and whether the player rewound. */
+  /** Simulated seconds that can be rewound. */
   readonly historySeconds: number;
+  /** Whether recorded moments lie ahead. */
   readonly isPast: boolean;
+  /** Whether the player rewound this game, or watches a replay. */
   readonly rewound: boolean;
+  /** Whether motion is reduced, by the player or by the system. */
   readonly reducedMotion: boolean;
+  /** Whether the player asked for the colour-blind palette. */
   readonly safeColors: boolean;
+  /** Whether a video is being recorded. */
   readonly recording: boolean;
+  /** Seed of the world. */
   readonly seed: number;
+  /** A copy of the settings. */
   readonly values: Readonly<Record<string, unknown>>;
+  /** Time of the world, s. */
   readonly time: number;
+  /** Steps of the world. */
   readonly tick: number;
+  /** Number of bodies. */
   readonly count: number;
+  /** Contacts between bodies in the last step; undefined where the game does not count them. */
   readonly contacts: number | undefined;
+  /** Ids of the bodies that pointers drag. */
   readonly dragged: readonly number[];
+  /** `stateHash` of the world. */
   readonly hash: string;
+  /** Energies of the world, J unless it has units of its own. */
   readonly energy: { readonly kinetic: number; readonly potential: number; readonly total: number };
   /** What the reader's plot shows, as the address names it; undefined while there is no plot. */
   readonly plot: string | undefined;
@@ -54,8 +75,9 @@ export interface GameState {
 export interface GameHook {
   /** Names of the game's renderers. */
   readonly renderers: readonly string[];
+  /** The present state, in a new object. */
   state(): GameState;
-  /** Body number `index` in ascending order of ids. */
+  /** Body number `index`, from 0, in ascending order of ids. @throws Error if there is none */
   body(index: number): BodyState;
   /** Takes `count` steps at once; plots record each of them. */
   step(count?: number): void;
@@ -63,9 +85,13 @@ export interface GameHook {
   rewind(seconds: number): void;
   /** Goes to the last recorded moment not after a time, s. */
   seek(time: number): void;
+  /** Makes a new world; `seed` default the present one. */
   reset(seed?: number): void;
+  /** Changes a setting, and makes a new world where it needs one. @throws Error if there is no such setting or value */
   set(name: string, value: unknown): void;
+  /** Pauses the game. */
   pause(): void;
+  /** Lets it go on. */
   resume(): void;
   /** Resolves when the view of the other renderer is open. */
   show(renderer: string): Promise<void>;

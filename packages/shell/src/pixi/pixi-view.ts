@@ -35,6 +35,7 @@ export interface Picture {
   update(alpha: number, pixelsPerMetre: number): void;
   /** Called when a setting changed. */
   refresh?(): void;
+  /** Ends the drawing when its world is replaced. */
   destroy(): void;
 }
 

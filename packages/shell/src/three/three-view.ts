@@ -33,11 +33,13 @@ export interface BoxBounds {
 
 /** The drawing of one world. */
 export interface ThreePicture {
+  /** Added to the scene; coordinates in metres. */
   readonly object: Object3D;
   /** Called once a frame. @param alpha position of the picture between the last two steps, 0 to 1 */
   update(alpha: number): void;
   /** Called when a setting changed. */
   refresh?(): void;
+  /** Ends the drawing when its world is replaced. */
   destroy(): void;
 }
 
