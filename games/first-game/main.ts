@@ -39,6 +39,7 @@ const hint = matchMedia('(pointer: coarse)').matches ? touch : keys;
 const camera = { x: 0, y: height / 2, pixelsPerMetre: 1 };
 let [score, best] = [0, Number(localStorage.getItem('keep it up') ?? 0)];
 function kick(sideways: number) {
+  Position.y[ball] = Math.max(Position.y[ball], 0.75); // clear of the floor
   Velocity.y[ball] = 9;
   Velocity.x[ball] = sideways;
   score++;
@@ -52,7 +53,7 @@ addEventListener('pointerdown', ({ clientX, clientY }) => {
 });
 addEventListener('keydown', ({ key, repeat }) => {
   if (key !== ' ' || repeat) return;
-  if (Position.y[ball] < 3 && Velocity.y[ball] < 0) kick(Velocity.x[ball]);
+  if (Position.y[ball] < 3 && (Velocity.y[ball] < 0 || score === 0)) kick(Velocity.x[ball]);
   else score = 0; // too early
 });
 

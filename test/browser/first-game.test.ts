@@ -97,3 +97,13 @@ it('is not won by holding the space bar, and a press too early begins anew', asy
   }
   expect(best).toBeLessThan(2);
 });
+
+it('can be begun with the space bar when the ball lies on the floor', async () => {
+  const page = await open('', { prepare: stopTime });
+  await start(page);
+  // A fall of 5.5 m and all bounces at 0.8 of the speed take (1 + 2 · 0.8 / 0.2) √(2 · 5.5 / 9.81) < 10 s.
+  await watch(page, 20 * 60);
+  await page.keyboard.press('Space');
+  await watch(page, 10);
+  expect(await text(page)).toBe('1');
+});
