@@ -1,7 +1,8 @@
 /** The burn that the player prepares: its predicted path, computed a little in every frame, and help with aiming. */
 import type { BodyName } from '@principia/scenes';
 import { AimSearch } from './aim.ts';
-import { burnt, rounded } from './flight.ts';
+import { burnt, indexOf, rounded } from './flight.ts';
+import type { Mission } from './missions.ts';
 import { Prediction } from './prediction.ts';
 import type { SolarGame } from './sim.ts';
 import { DAY } from './solar-clock.ts';
@@ -57,6 +58,12 @@ export class FlightPlan {
     this.#search.cancel();
     this.aimState = 'none';
     this.version++;
+  }
+
+  /** Whether help with aiming may be had: where the path passes the first planet closely enough, or the probe did. */
+  canHelp({ flight }: SolarGame, { via, target, helpFrom }: Mission): boolean {
+    const first = via ?? target;
+    return Math.min(this.closest[TRACKED.indexOf(first)], flight.closest[indexOf(first)]) <= helpFrom;
   }
 
   /** Aims at a body. @param ahead how far before it, on its orbit, the probe shall pass, km; negative behind it */
@@ -118,6 +125,7 @@ export class FlightPlan {
     this.#burnCount = game.flight.burns.length;
     this.set(game.flight.phase === 'ready' ? aim : [0, 0, 0]);
     this.prediction.isDone = true;
+    this.closest.fill(Number.POSITIVE_INFINITY);
     this.track.begin(game);
   }
 

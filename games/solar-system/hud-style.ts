@@ -51,6 +51,8 @@ export const HUD_STYLE = `
   .game:has(.game-side:not([hidden])) .ss-foot { right: 8px } .ss-hint { font-size: 13px } .ss-card { padding: 8px 10px; gap: 4px }
   .ss-jpl { width: auto; max-width: 312px; padding: 4px 9px } .ss-slide { grid-template-columns: 62px 1fr 74px }
   .ss-date > em:not(:empty) { margin-top: 14px } .ss-pick { position: fixed; left: 190px; top: 64px; margin: 0; gap: 4px } .ss-pick input { width: 122px; padding: 5px 4px; font-size: 12px } .ss-pick button { padding: 5px 7px; font-size: 12px } .ss-time { grid-template-columns: auto minmax(90px, 1fr) auto; width: 100% } }
+@media (max-width: 389px) { .ss-pick { left: auto; right: 8px } .ss-pick input { width: 110px; box-sizing: border-box } }
+@media (max-width: 345px) { .ss-date b small { display: none } }
 @media (max-width: 699px) { .ss-sky[open] { max-height: calc(100vh - 500px) } }
 @media (max-height: 479px) { .ss-jpl[open] { max-height: calc(100vh - 214px) } }
 /* The list ends above the missions. */
@@ -59,8 +61,9 @@ export const HUD_STYLE = `
 @media (max-width: 699px), (max-height: 659px) { .ss:has(.ss-card) .ss-jpl { display: none } }
 @media (min-width: 700px) and (max-height: 479px) { .ss-card { position: fixed; right: 8px; bottom: 8px; width: 330px; max-height: calc(100% - 70px); overflow: auto }
   .ss-menu { position: fixed; right: 12px; bottom: 12px; width: 220px; display: grid } .ss-time { width: calc(100% - 350px); justify-self: start } }
-/* Where the card has no room for the goal beside its controls. */
-@media (max-width: 829px) and (max-height: 699px) { .ss-card p.ss-goal { display: none } }
+/* Where the card has no room for the hint beside its controls. */
+@media (max-width: 829px) and (max-height: 699px) { .ss-goal span { display: none } .ss-card .ss-row { gap: 5px } .ss-card .ss-row button { padding: 5px }
+  .ss-card .ss-slide { height: 36px } }
 @media (min-width: 830px) and (max-height: 479px) { .ss-card { width: 350px; max-height: calc(100% - 16px) } .ss-goal span { display: none }
   .ss-card .ss-row { gap: 5px } .ss-card .ss-row button { padding: 5px 8px } .ss-card .ss-slide { height: 36px } .ss-time { width: calc(100% - 370px) } }
 `;

@@ -128,6 +128,8 @@ function controlParts(
       // On the way to the date of the launch there is nothing to see ahead.
       say(outlook, sim.clock.isTravelling ? '' : outlookOf(sim, plan, mission, isReady));
       const isTooMuch = !sim.canBurn(plan.size) && plan.size > 0;
+      const canHelp = plan.canHelp(sim, mission);
+      for (const aim of aims) aim.disabled = !canHelp;
       go.disabled = isTooMuch || plan.size === 0 || plan.aimState === 'running' || sim.clock.isTravelling;
       say(
         warning,
@@ -187,11 +189,13 @@ function outlookOf(sim: SolarGame, plan: FlightPlan, mission: Mission, isReady: 
   const isPast =
     via !== undefined && !isReady && flight.closestAt[indexOf(via)] < clock.now - DAY && dateOf(via) < clock.now + DAY;
   const ahead = via === undefined || isPast ? pass(target) : WORDS.both(pass(via), pass(target));
-  if (isReady) return `${WORDS.willPass(ahead)} ${spent}`;
+  const first = WORDS.bodies[via ?? target][1];
+  const help = plan.canHelp(sim, mission) ? '' : ` ${WORDS.helpFrom(first, mission.helpFrom / 1e6)}`;
+  if (isReady) return `${WORDS.willPass(ahead)} ${spent}${help}`;
   const now = distanceText(lengthOf(difference(sim.probeState().position, sim.bodyState(target).position)));
   const past = isPast ? `${WORDS.passed(nameOf(via), distanceText(flight.closest[indexOf(via)]))} ` : '';
   const day = WORDS.flying(Math.floor(sim.flightDays()), mission.maxDays, now, nameOf(target));
-  return `${day} ${past}${WORDS.laterPasses(ahead)} ${spent}`;
+  return `${day} ${past}${WORDS.laterPasses(ahead)} ${spent}${help}`;
 }
 
 function heading(context: ViewContext<Settings, SolarGame>, page: Page, mission: Mission): HTMLElement {

@@ -42,6 +42,8 @@ describe('a mission', () => {
     (_, mission) => {
       const [game, plan] = ready(mission);
       const { via, target, reach } = mission;
+      // As the mission is given, its path is not yet near enough for the help.
+      expect(plan.canHelp(game, mission)).toBe(false);
       if (via !== undefined) aim(game, plan, via, PASS[via] ?? 0, 0.15 * Math.abs(PASS[via] ?? 0));
       aim(game, plan, target, 0, 0.4 * reach);
       expect(plan.aimState).toBe('found');
@@ -56,6 +58,19 @@ describe('a mission', () => {
     },
     60_000,
   );
+
+  test.each([
+    ['mars', [1.9, -2, 1.5]],
+    ['mercury', [-4.4, 0.3, 1.4]],
+    ['saturn', [10, 0.5, 0.5]],
+  ])('%s is helped once the sliders lead near the first planet', (id, amounts) => {
+    const mission = missionOf(id) as Mission;
+    const [game, plan] = ready(mission);
+    plan.set(amounts);
+    settle(game, plan);
+    expect(plan.canHelp(game, mission)).toBe(true);
+    plan.destroy();
+  });
 
   test('the path ahead is the path that is flown', () => {
     const mission = missionOf('mars') as Mission;

@@ -17,7 +17,9 @@ export interface Mission {
   readonly budget: number;
   /** A good flight: it gives 1000 points. */
   readonly par: { readonly deltaV: number; readonly days: number };
-  /** Where the controls stand at the beginning, km/s: forward, outward, north. */
+  /** Distance within which the path must pass the first planet before the help with aiming takes over, km. */
+  readonly helpFrom: number;
+  /** Where the controls stand at the beginning, km/s: forward, outward, north. This path passes outside `helpFrom`. */
   readonly aim: readonly [number, number, number];
 }
 
@@ -30,6 +32,7 @@ export const MISSIONS: readonly Mission[] = [
     reach: 1e6,
     budget: 6,
     par: { deltaV: 3.5, days: 290 },
+    helpFrom: 1e7,
     aim: [2.4, -1.5, 1],
   },
   {
@@ -41,7 +44,8 @@ export const MISSIONS: readonly Mission[] = [
     reach: 2e6,
     budget: 5.5,
     par: { deltaV: 4.7, days: 310 },
-    aim: [-4.4, 0.3, 1.4],
+    helpFrom: 1e6,
+    aim: [-4.4, 0.3, 0.9],
   },
   {
     id: 'saturn',
@@ -52,6 +56,7 @@ export const MISSIONS: readonly Mission[] = [
     reach: 5e6,
     budget: 12,
     par: { deltaV: 9.4, days: 1290 },
+    helpFrom: 1e7,
     aim: [9.5, 0, 0],
   },
 ];

@@ -22,6 +22,25 @@ async function arrive(page: Page): Promise<void> {
   for (let i = 0; i < 60 && (await told(page)).date === ''; i++) await steps(page, 10);
 }
 
+it.each([
+  [360, 640],
+  [740, 360],
+])(
+  'shows the goal and every button of a mission on a phone of %i × %i',
+  async (width, height) => {
+    const page = await open('', { viewport: { width, height }, hasTouch: true, isMobile: true });
+    await page.locator('.ss button', { hasText: 'To Mars' }).tap();
+    await page.locator('.ss-go').waitFor();
+    expect(await page.locator('.ss-goal').isVisible()).toBe(true);
+    for (const button of await page.locator('.ss-card button, .ss-pick button').all()) {
+      const box = (await button.boundingBox()) as { x: number; y: number; width: number; height: number };
+      expect(box.x + box.width).toBeLessThanOrEqual(width);
+      expect(box.y + box.height).toBeLessThanOrEqual(height - 8);
+    }
+  },
+  60_000,
+);
+
 describe('a mission', () => {
   const button = (page: Page, text: string) => page.locator('.ss button', { hasText: text });
 
@@ -59,6 +78,11 @@ describe('a mission', () => {
     async (means) => {
       const page = await open('manual', windowFor(means));
       await prepareLaunch(page, means);
+      await says(page, '.*Help with aiming begins within 10 million km');
+      expect(await button(page, 'Reach Mars').isDisabled()).toBe(true);
+      for (const [name, amount] of Object.entries({ Forward: '1.9', Outward: '-2', North: '1.5' }))
+        await page.locator(`.ss-number[aria-label^="${name}"]`).fill(amount);
+      await expect.poll(() => button(page, 'Reach Mars').isEnabled(), { timeout: 60_000 }).toBe(true);
       await choose(page, means, button(page, 'Reach Mars'));
       await says(page, 'Aiming');
       await says(page, 'Passes Mars');
