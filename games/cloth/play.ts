@@ -124,7 +124,7 @@ const STYLE = `
 .cloth-again:hover { background: #ffd38a }
 @media (min-height: 480px) { .game-hint { bottom: 72px } }
 /* The hint lies beside the buttons, of which there is one more while a picture is on. */
-@media (pointer: coarse) and (max-height: 479px) { .game:has(.cloth-print) .game-hint { left: 248px; right: 12px }
+@media (max-height: 479px) { .game:has(.cloth-print) .game-hint { left: 248px; right: 12px }
   .game:has(.cloth-print > button:nth-of-type(2):not([hidden])) .game-hint { left: 372px } }
 .cloth-film { position: absolute; left: 16px; right: 16px; bottom: 84px; margin: 0; text-align: center; pointer-events: none;
   font-weight: 600; text-shadow: 0 1px 3px #0d1226, 0 0 10px #0d1226 }

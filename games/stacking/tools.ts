@@ -18,7 +18,7 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
 .st-tools button:hover { background: #ffffff1c } .st-tools button:focus-visible { outline: 2px solid var(--accent) }
 .st-tools button[aria-pressed=true] { background: var(--accent); color: #1c1503 }
 /* Legible on blocks of any colour. */
-.game-hint { bottom: 78px; width: fit-content; height: fit-content; margin: 0 auto; padding: 4px 14px; border-radius: 12px; background: #141b36d9 }
+.game-hint { bottom: 71px; width: fit-content; height: fit-content; margin: 0 auto; padding: 1px 14px; font-size: 14px; border-radius: 12px; background: #141b36d9 }
 /* For a mouse the buttons stand at the left, above the tools, from the top in the order of the keyboard; the hint beside them. */
 @media (pointer: fine) { .game .game-pad { left: 16px; bottom: 84px; grid: auto-flow 48px / 48px; justify-content: start } .game-hint { left: 76px }
   .game-pad :is([data-name=up], [data-name=down]) { grid-area: auto } .game-pad [data-name=action] { left: 16px; bottom: 188px; width: 48px; height: 48px } }
@@ -29,6 +29,8 @@ const STYLE = `.st-tools { position: absolute; left: 50%; bottom: max(12px, env(
   .game:has(.game-side:not([hidden])) .st-tools { display: none } .game-hint { top: 130px }
   /* What a tool does is said below the tools: the next one may be wanted at once. */
   .game .game-banner:not([data-kind=error]) { top: 130px } }
+/* On its side a phone has room for it on the ground, between the buttons. */
+@media (pointer: coarse) and (max-width: 799px) and (max-height: 479px) { .game .game-hint { top: auto; bottom: 4px; left: 92px; right: 172px; font-size: 13px } }
 /* A page that is enlarged: at the right, where no tower stands. */
 @media (pointer: fine) and (max-width: 799px) and (max-height: 420px) { .st-tools { left: auto; right: 8px; translate: none; flex-direction: column; gap: 2px } .st-tools button { height: 38px }
   .game-hint { top: auto; bottom: 4px; font-size: 13px } .game .game-banner:not([data-kind=error]) { top: 66px } }
