@@ -2,7 +2,7 @@ import { step } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { HULL } from './hull.ts';
 import { currentAt, SHIP } from './sea.ts';
-import { AIR, createGame, type SubmarineGame } from './sim.ts';
+import { AIR, breathOf, createGame, type SubmarineGame } from './sim.ts';
 
 const open = (level = 1, seed = 1) => createGame({ values: { level }, seed });
 
@@ -99,6 +99,12 @@ describe('the mission', () => {
     }
     expect(wreck.boat.ending).toBe('wrecked');
     const idle = open();
+    // Air to breathe is used up below the surface only.
+    run(idle, 320);
+    expect(idle.boat).toMatchObject({ ending: 'none', breath: breathOf(1) });
+    // Half full the tank hovers.
+    idle.world.components.Position.y[idle.sub] = -10;
+    idle.boat.fill = 0.5;
     run(idle, 320);
     expect(idle.boat.ending).toBe('suffocated');
   });

@@ -34,7 +34,7 @@ const SURFACED = 2.6;
 const CRUSH = 0.08;
 const KNOCK = { free: 0.9, cost: 0.11 } as const;
 const GRAB = 7;
-/** Seconds of breath: from the sixth level on the crates are not more, only deeper. */
+/** Seconds of breath below the surface: from the sixth level on the crates are not more, only deeper. */
 export const breathOf = (level: number): number => 230 + 80 * Math.min(level, 5) + 40 * Math.max(0, level - 5);
 /** Speed of the sound, m/s, and seconds that an echo stays and that lie between two pings. */
 export const PING = { speed: 90, life: 6, pause: 1.5 } as const;
@@ -233,7 +233,8 @@ export class SubmarineGame {
     if (this.isOver) return;
     const isUp = this.depth < SURFACED;
     if (isUp) boat.air = Math.min(AIR.full, boat.air + AIR.refill * dt);
-    boat.breath = Math.max(0, boat.breath - dt);
+    // At the surface the hatch is open: the air to breathe lasts, but is not renewed, so that waiting gains nothing.
+    else boat.breath = Math.max(0, boat.breath - dt);
     const beyond = this.depth - sea.crushDepth;
     if (beyond > 0) boat.hull -= (CRUSH * dt * beyond) / 10 + CRUSH * dt;
     this.#collect();

@@ -27,7 +27,7 @@ const en = {
     goal: ['Goal', 'touch every crate, and come up beside the ship before the air to breathe is gone'],
     danger: ['Danger', 'the depth crushes the hull, and rocks dent it'],
     depth: ['Depth', 'presses the hull together: it carries less, so that the tank hovers with less water'],
-    surface: ['At the surface', 'the compressor fills the bottles'],
+    surface: ['At the surface', 'the compressor fills the bottles, and the air to breathe lasts'],
   },
   start: isTouch
     ? 'Hold ▼ to flood the tank, ▲ to blow it out; ◀ ▶ drive; a tap shows the crates'
@@ -75,7 +75,7 @@ const de: Words = {
     goal: ['Ziel', 'berühre jede Kiste und tauche neben dem Schiff auf, bevor die Atemluft zu Ende ist'],
     danger: ['Gefahr', 'die Tiefe zerdrückt den Rumpf, und Felsen beulen ihn ein'],
     depth: ['Tiefe', 'presst den Rumpf zusammen: Er trägt weniger, und der Tank schwebt mit weniger Wasser'],
-    surface: ['Aufgetaucht', 'füllt der Kompressor die Flaschen'],
+    surface: ['Aufgetaucht', 'füllt der Kompressor die Flaschen, und die Atemluft hält'],
   },
   start: isTouch
     ? 'Halte ▼, um den Tank zu fluten, ▲, um ihn auszublasen; ◀ ▶ fahren; Tippen zeigt die Kisten'
