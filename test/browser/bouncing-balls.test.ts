@@ -102,7 +102,7 @@ describe('the page', () => {
     expect(await page.locator('.game-banner').isVisible()).toBe(true);
     expect(banner).toContain('count must be a whole number from 1 to 100000, but it was “abc”. Using 5 instead.');
     expect(banner).toContain('seed must be a whole number from 0 to 4294967295');
-    expect(banner).toContain('“colour”, which is not a setting of this game');
+    expect(banner).toContain('“colour”, which this game does not have');
     expect(banner).toContain('renderer must be three or pixi');
     expect(banner).toContain('gravity must be a number from 0 to 30 m/s²');
     expect({ count: values.count, seed, renderer }).toEqual({ count: 5, seed: 1, renderer: 'pixi' });

@@ -46,8 +46,14 @@ it('has a sentence for everything else, and keeps what there was', () => {
     'In the address, count must be a whole number from 1 to 100, but it was 0. Using 5 instead.',
     'In the address, seed must be a whole number from 0 to 4294967295, but it was “x”. Using 1 instead.',
     'In the address, renderer must be pixi or three, but it was “toString”. Using 2D instead.',
-    'The address names “toString”, which is not a setting of this game. The settings are count, trails, seed, renderer, plot, manual.',
     'In the address, trails must be on or off, but it was “maybe”. Using off instead.',
+    'The address names “toString”, which this game does not have. The settings are count, trails, seed, renderer, plot, manual.',
+  ]);
+});
+
+it('lists the settings once, however many unknown names there are', () => {
+  expect(read('?a=1&b=2&a=3').problems).toEqual([
+    'The address names “a”, “b”, which this game does not have. The settings are count, trails, seed, renderer, plot, manual.',
   ]);
 });
 

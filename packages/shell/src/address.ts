@@ -13,7 +13,7 @@ export interface Address<S extends Settings> {
   readonly plot: string | undefined;
   /** Turns the clock off: only `__game.step(n)` advances the world. */
   readonly manual: boolean;
-  /** One sentence for each part of the URL that was rejected. */
+  /** One sentence for each value that was rejected, and one for all unknown names. */
   readonly problems: readonly string[];
 }
 
@@ -40,6 +40,7 @@ const TRACKING =
 export function readAddress<S extends Settings>(query: string, settings: S, renderers: readonly string[]): Address<S> {
   const values: Record<string, unknown> = initialValues(settings);
   const problems: string[] = [];
+  const unknown = new Set<string>();
   const attempt = <T>(read: () => T, fallback: T): T => {
     try {
       return read();
@@ -61,10 +62,11 @@ export function readAddress<S extends Settings>(query: string, settings: S, rend
       continue; // of `chooseWords` and `isPreview`
     else if (Object.hasOwn(settings, name)) {
       values[name] = attempt(() => parseValue(name, settings[name], text), values[name] as never);
-    } else if (!TRACKING.test(name)) {
-      const known = [...Object.keys(settings), 'seed', 'renderer', 'plot', 'manual'].join(', ');
-      problems.push(words().address.unknown(name, known));
-    }
+    } else if (!TRACKING.test(name)) unknown.add(words().address.quoted(name));
+  }
+  if (unknown.size > 0) {
+    const known = [...Object.keys(settings), 'seed', 'renderer', 'plot', 'manual'].join(', ');
+    problems.push(words().address.unknown([...unknown].join(', '), known));
   }
   return { values: values as ValuesOf<S>, seed, renderer, plot, manual, problems };
 }

@@ -157,8 +157,8 @@ const en = {
     instead: (problem: string, value: string) => `In the address, ${problem} Using ${value} instead.`,
     plot: (was: string) =>
       `In the address, plot must be off, or what is plotted, against what, and the number of a body, such as Position.y,Position.x,1, but it was “${was}”. Showing the energy instead.`,
-    unknown: (name: string, known: string) =>
-      `The address names “${name}”, which is not a setting of this game. The settings are ${known}.`,
+    unknown: (names: string, known: string) =>
+      `The address names ${names}, which this game does not have. The settings are ${known}.`,
     wrong: (name: string, wanted: string, was: string) => `${name} must be ${wanted}, but it was ${was}.`,
     quoted: (text: string) => `“${text}”`,
     on: 'on',
@@ -322,8 +322,7 @@ const de: Words = {
     instead: (problem, value) => `In der Adresse: ${problem} Stattdessen gilt ${value}.`,
     plot: (was) =>
       `In der Adresse muss plot off sein, oder was gezeichnet wird, worüber, und die Nummer eines Körpers, etwa Position.y,Position.x,1, war aber „${was}“. Stattdessen erscheint die Energie.`,
-    unknown: (name, known) =>
-      `Die Adresse nennt „${name}“, aber so heißt keine Einstellung dieses Spiels. Es gibt ${known}.`,
+    unknown: (names, known) => `Die Adresse nennt ${names}, was dieses Spiel nicht hat. Es gibt ${known}.`,
     wrong: (name, wanted, was) => `${name} muss ${wanted} sein, war aber ${was}.`,
     quoted: (text) => `„${text}“`,
     on: 'an',
