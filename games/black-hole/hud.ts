@@ -40,7 +40,7 @@ const STYLE = `
 @media (pointer: coarse) and (max-height: 480px) and (min-aspect-ratio: 19/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 14px); bottom: 76px; white-space: nowrap } .bh-daily { bottom: 128px } }
 @media (pointer: fine) and (max-height: 480px) and (min-aspect-ratio: 17/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 8px); bottom: 12px; padding: 6px 8px; font-size: 12px; white-space: nowrap } .bh-daily { bottom: 50px } }
 /* Where little is free beside the field, in two lines: over it they would cover what is said. */
-@media (pointer: fine) and (max-height: 480px) and (min-aspect-ratio: 3/2) and (max-aspect-ratio: 17/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 8px); bottom: 12px; padding: 5px; font-size: 12px; max-width: calc(50vw - 50% - 16px); text-align: center } .bh-daily { bottom: 50px } }
+@media (pointer: fine) and (max-height: 480px) and (min-aspect-ratio: 3/2) and (max-aspect-ratio: 17/10) { .bh-redraw, .bh-daily { right: auto; left: calc(100% + 8px); bottom: 12px; padding: 5px; font-size: 12px; max-width: calc(50vw - 50% - 16px); text-align: center } .bh-daily { bottom: 62px } }
 @media (max-width: 800px) { .bh-speed { display: none } }
 @media (max-height: 480px) { .bh-hud:not(.outside) { font-size: 13px } .bh-hud:not(.outside) > :is(.bh-lives, .bh-score, .bh-level) { top: 2px } .bh-score { font-size: 14px } .bh-toast { font-size: 16px } .bh-call:not(.low) { top: 48% } .bh-call h2 { font-size: 26px } }
 /* Beside a field that is too low for them. */

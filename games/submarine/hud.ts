@@ -29,7 +29,7 @@ const STYLE = `
 /* A window held upright has more sky than the ship is high; gauges side by side leave the sea in sight. */
 @media (orientation: portrait) { .sub-panel { left: 8px; top: 60px; bottom: auto; padding: 3px 12px 4px } .sub-goal, .sub-say { max-width: min(460px, 86vw) }
   .sub-goal { font-size: 14px; line-height: 1.2 } .sub-say { line-height: 1.2 } .sub-gauges { grid-template-columns: auto 56px auto 56px; gap: 2px 8px } }
-@media (orientation: portrait) and (max-width: 389px) { .sub-panel { right: 8px; width: fit-content } .sub-depth { font-size: 11.5px } }
+@media (orientation: portrait) and (max-width: 389px) { .sub-panel { right: 8px; width: fit-content } .sub-depth { font-size: 11.5px } .sub-gauges { grid-template-columns: auto 48px auto 48px } }
 `;
 
 export interface Hud {
