@@ -510,3 +510,17 @@ describe('the code of an example', () => {
     expect(await consoleOf(page)).toEqual([]);
   });
 });
+
+it('has the words beside the picture on a phone on its side', async () => {
+  const phone = { viewport: { width: 740, height: 360 }, hasTouch: true, isMobile: true };
+  const page = await laboratory.open('example=ch17-character&manual', phone);
+  const side = (await page.locator('.game-side').boundingBox()) as { x: number; y: number; height: number };
+  const bar = (await page.locator('.game-bar').boundingBox()) as { x: number; width: number };
+  const timeline = (await page.locator('.game-timeline').boundingBox()) as { x: number; y: number; width: number };
+  expect(side.x).toBeGreaterThan(740 / 2);
+  expect(side.height).toBeGreaterThan(300);
+  expect(bar.x + bar.width).toBeLessThanOrEqual(side.x);
+  expect(timeline.x + timeline.width).toBeLessThanOrEqual(side.x);
+  // The picture has the height between the bar and the recorded time.
+  expect(timeline.y).toBeGreaterThan(300);
+});

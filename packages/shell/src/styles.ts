@@ -27,7 +27,7 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
 .game-bar :is(button, a) { pointer-events: auto; min-width: 38px; height: 38px; padding: 0 9px; display: grid; place-items: center; box-sizing: border-box;
   border: 1px solid var(--line); border-radius: 11px; background: var(--card); color: var(--ink);
   font: 600 13px/1 inherit; font-family: inherit; cursor: pointer; touch-action: manipulation; transition: background .15s }
-.game-bar :is(button, a):hover { background: #2b3766 }
+@media (hover: hover) { .game-bar :is(button, a):hover { background: #2b3766 } }
 .game-bar :is(button, a):focus-visible { outline: 2px solid var(--accent); outline-offset: 2px }
 .game-bar button[aria-pressed=true] { background: var(--accent); border-color: transparent; color: #1c1503 }
 .game-bar svg { width: 18px; height: 18px; fill: currentColor }
@@ -182,11 +182,12 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
   .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 46% } }
 @container (min-width: 760px) and (max-height: 479px) { .game-sheet .game-side { top: 8px; right: 8px; max-height: calc(100% - 16px); width: 300px }
   .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 316px } .game-sheet .game-pad { right: 324px } }
-/* A page that is enlarged: beside the picture, which a sheet below would leave no height. */
-@media (pointer: fine) { @container (min-width: 560px) and (max-width: 759px) and (max-height: 420px) {
+/* A page that is enlarged, or a phone on its side: beside the picture, which a sheet below would leave no height. */
+@container (min-width: 560px) and (max-width: 759px) and (max-height: 420px) {
   .game-sheet .game-side { top: 8px; right: 8px; bottom: auto; left: auto; width: 264px; max-height: calc(100% - 16px); border-radius: 14px }
-  .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 272px } .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 0; left: 0 }
-  .game-sheet .game-pad { right: 284px; bottom: calc(12px + var(--foot, 0px)) } } }
+  .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 276px } .game-sheet:has(.game-side:not([hidden])) > .game-timeline { bottom: 0; left: 0 }
+  .game-sheet .game-pad { right: 284px; bottom: calc(12px + var(--foot, 0px)) }
+  .game-sheet:has(.game-side:not([hidden])) .game-bar [data-minor] { display: none } }
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: fit-content(150px) 1fr fit-content(150px) 1fr } }
 @media (max-height: 479px) { .game-help { max-height: calc(100dvh - 16px); padding: 12px 26px; line-height: 1.4 } .game-help h2 { margin-bottom: 6px } .game-help footer { bottom: -12px; margin-bottom: -12px; padding-block: 6px 8px } }
 @container (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
