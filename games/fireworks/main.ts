@@ -7,6 +7,8 @@ import { applyValue, createGame, type Direction } from './sim.ts';
 import { WORDS } from './words.ts';
 
 const controls = new PlayerControls(location.hash);
+// A link to the same page that is pasted while it is open changes the part after # only, which loads nothing.
+addEventListener('hashchange', () => location.reload());
 
 document.title = WORDS.title;
 

@@ -58,7 +58,7 @@ export async function createCodePanel(
   add(words.run, words.runHint, () => run(id, text.value, report));
   add(words.original, words.originalHint, () => {
     forgetOwnCode(id);
-    location.hash = '';
+    history.replaceState(null, '', location.pathname + location.search);
     location.reload();
   });
   add(WORDS.copyLink, words.copyHint, async () => {

@@ -38,6 +38,8 @@ const rewindSeconds = ({ duration, ends }: Example) =>
 /** @param query of the address, with the name of the example */
 export async function openExample(entry: ExampleEntry, query: URLSearchParams): Promise<void> {
   addLaboratoryStyles();
+  // A link to the same example that is pasted while it is open changes the part after # only, which loads nothing.
+  addEventListener('hashchange', () => location.reload());
   const carried = await linkedCode(location.hash);
   // An empty version says nothing.
   const linked = carried || undefined;

@@ -10,6 +10,8 @@ import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
 const page = new Page(location.hash);
+// A link to the same page that is pasted while it is open changes the part after # only, which loads nothing.
+addEventListener('hashchange', () => location.reload());
 
 /** The world's masses are G m in km³/s², its lengths km; momenta and energies have the factor G as well. */
 const UNITS = {

@@ -8,6 +8,8 @@ import { applyValue, blast, createSim, dropBlock, report, throwBall } from './si
 import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
+// A link to the same page that is pasted while it is open changes the part after # only, which loads nothing.
+addEventListener('hashchange', () => location.reload());
 
 const ACTIONS = { action: throwBall, up: dropBlock, down: blast } as const;
 

@@ -142,6 +142,20 @@ it('goes to the date of the address, follows a body by a key, and says what it c
   await page.waitForFunction(() => document.querySelector('.ss-jpl tr.on')?.textContent?.startsWith('Mars'));
 }, 60_000);
 
+it('follows a link that is pasted while the page is open', async () => {
+  const page = await open('manual');
+  await Promise.all([
+    page.waitForEvent('framenavigated', { predicate: () => page.url().includes('#date') }),
+    page.waitForEvent('load'),
+    page.evaluate(() => {
+      location.hash = '#date=2012-06-30';
+    }),
+  ]);
+  await ready(page);
+  await arrive(page);
+  expect((await told(page)).date).toBe('2012-06-30');
+}, 60_000);
+
 it('plots energies in its own units, as masses are G m', async () => {
   const page = await open('manual');
   await steps(page, 30);
