@@ -189,7 +189,7 @@ function outlookOf(sim: SolarGame, plan: FlightPlan, mission: Mission, isReady: 
   const isPast =
     via !== undefined && !isReady && flight.closestAt[indexOf(via)] < clock.now - DAY && dateOf(via) < clock.now + DAY;
   const ahead = via === undefined || isPast ? pass(target) : WORDS.both(pass(via), pass(target));
-  const first = WORDS.bodies[via ?? target][1];
+  const first = nameOf(via ?? target);
   const help = plan.canHelp(sim, mission) ? '' : ` ${WORDS.helpFrom(first, mission.helpFrom / 1e6)}`;
   if (isReady) return `${WORDS.willPass(ahead)} ${spent}${help}`;
   const now = distanceText(lengthOf(difference(sim.probeState().position, sim.bodyState(target).position)));
