@@ -124,7 +124,8 @@ function applyToBody(
   b.wz -= k * (nx * jy - ny * jx);
 }
 
-// Applies wall friction to the columns of one row; positions do not change.
+// Applies wall friction to the velocities of one row. `time` is how long ago it acted, on average. Returns a body whose
+// position is the way by which the caller is to move that row since.
 export function applyWallFriction(
   c: Columns,
   row: i32,
@@ -133,10 +134,21 @@ export function applyWallFriction(
   nz: real,
   friction: real,
   impulse: real,
-): void {
-  if (!(friction * impulse > 0)) return;
+  time: real,
+): Body {
   const b = wallContactBody();
+  b.x = b.y = b.z = 0;
+  if (!(friction * impulse > 0)) return b;
   loadMotion(c, row, b);
-  applyFriction(staticBody(), b, nx, ny, nz, friction, impulse, 0);
+  applyFriction(staticBody(), b, nx, ny, nz, friction, impulse, time);
   storeMotion(c, row, b);
+  return b;
+}
+
+// Returns how long ago the impulse of a wall acted, on average: it changed the speed across the wall by `change` and the
+// distance by `shift` since. Friction, which is limited by it, acted at the same time. Overlap of other origin may
+// shift a body by more; then it is the whole step.
+// @ts-ignore: decorator
+@inline export function timeOfImpulse(shift: real, change: real, dt: real): real {
+  return change > 0 ? max<real>(0, min<real>(shift / change, dt)) : <real>0;
 }

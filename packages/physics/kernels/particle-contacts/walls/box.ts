@@ -1,6 +1,7 @@
 // Bodies inside an axis-aligned box. The formulas are in impact.ts.
 import { Columns, columns, get } from '../../memory/columns';
 import { BLOCK, LANES, add, at, div, laneOf, larger, mul, smaller, splat, sub } from '../../memory/lanes';
+import { Body } from '../body';
 import { applyWallFriction } from '../friction';
 import { WALL_MARGIN } from '../table';
 import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
@@ -18,6 +19,9 @@ let restingLanes: v128 = i32x4.splat(0);
 
 // Speeds into the wall at the impacts of the last call of `rebound`.
 let impactSpeeds: v128 = i32x4.splat(0);
+
+// Distances by which that call moved the lanes away from the wall.
+let shifts: v128 = i32x4.splat(0);
 
 // Reflects the lanes `hit` of one vector of rows off the walls at `plane`, which are already offset by the radius; `side`
 // (+1 or -1) points inside. Returns the change of normal velocity per lane, zero for lanes that do not approach.
@@ -53,6 +57,7 @@ let impactSpeeds: v128 = i32x4.splat(0);
   const newVelocity = mul(side, outgoing);
   restingLanes = v128.andnot(entering, rebounds);
   impactSpeeds = impact;
+  shifts = add(depth, v128.and(reboundDistance, rebounds));
   v128.store(x, v128.bitselect(add(plane, v128.and(mul(side, reboundDistance), rebounds)), position, hit));
   v128.store(v, v128.bitselect(newVelocity, velocity, entering));
   v128.store(
@@ -69,9 +74,13 @@ let impactSpeeds: v128 = i32x4.splat(0);
 }
 
 // Applies friction to the lanes that hit the wall and records their contacts.
-function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, sides: v128, friction: real): void {
+function recordImpacts(c: Columns, w: Walls, row: i32, change: v128, sides: v128): void {
   const resting = restingLanes;
   const speeds = impactSpeeds;
+  // As `timeOfImpulse`; lanes without a change are not read.
+  const times = smaller(larger(div(shifts, change), splat(0)), splat(w.dt));
+  const axis = w.axis;
+  const friction = w.friction;
   if (c.contacts == 0 && (friction == 0 || !hasFriction(c, row))) return;
   for (let lane = 0; lane < LANES; lane++) {
     const body = row + lane;
@@ -83,9 +92,25 @@ function recordImpacts(c: Columns, row: i32, change: v128, axis: i32, sides: v12
     const nz = axis == 2 ? side : <real>0;
     const own = get(c.friction, body);
     const mu = friction < 0 ? own : sqrt<real>(own * friction);
-    applyWallFriction(c, body, nx, ny, nz, mu, impulse);
+    if (mu > 0) slide(c, w, body, applyWallFriction(c, body, nx, ny, nz, mu, impulse, laneOf(times, lane)));
     const restingImpulse = laneOf(resting, lane) != 0 ? impulse : <real>0;
     recordWallContact(body, 0, nx, ny, nz, mu, laneOf(speeds, lane), impulse, restingImpulse);
+  }
+}
+
+// Moves a body along a wall by the way in the position of `by`, but not out of the box.
+function slide(c: Columns, w: Walls, row: i32, by: Body): void {
+  const radius = get(c.radius, row);
+  const offset = <usize>row * sizeof<real>();
+  for (let axis = 0; axis < changetype<Box>(w.box).axes; axis++) {
+    if (axis == w.axis) continue;
+    const i = <usize>axis;
+    const x = load<usize>(changetype<usize>(c) + (i << 2), offsetof<Columns>('positionX')) + offset;
+    const from = load<real>(x);
+    const to = from + load<real>(changetype<usize>(by) + i * sizeof<real>());
+    const low = <real>load<f64>(w.box + (i << 3), offsetof<Box>('lowX')) + radius;
+    const high = <real>load<f64>(w.box + (i << 3), offsetof<Box>('highX')) - radius;
+    store<real>(x, min<real>(max<real>(to, min<real>(from, low)), max<real>(from, high)));
   }
 }
 
@@ -140,6 +165,7 @@ export class Box {
 @unmanaged
 class Walls {
   axis: i32;
+  box: usize;
   x: usize;
   v: usize;
   start: usize;
@@ -159,6 +185,7 @@ function wallsAcross(box: Box, axis: i32, dt: real, lag: real): Walls {
   const c = columns();
   const w = changetype<Walls>(WALLS);
   w.axis = axis;
+  w.box = changetype<usize>(box);
   w.x = load<usize>(changetype<usize>(c) + ((<usize>axis) << 2), offsetof<Columns>('positionX'));
   w.v = load<usize>(changetype<usize>(c) + ((<usize>axis) << 2), offsetof<Columns>('velocityX'));
   w.start = load<usize>(changetype<usize>(box) + ((<usize>axis) << 2), offsetof<Box>('startX'));
@@ -271,12 +298,10 @@ function bounceAndRecord(w: Walls, c: Columns, row: i32, start: usize, e: v128):
 
 // Handles one vector of rows of which at least one may be outside.
 function bounce(w: Walls, row: i32, start: usize, e: v128): void {
-  const axis = w.axis;
   const x = w.x;
   const v = w.v;
   const low = w.low;
   const high = w.high;
-  const friction = w.friction;
   const dt = w.dt;
   const lag = w.lag;
   const c = columns();
@@ -304,7 +329,7 @@ function bounce(w: Walls, row: i32, start: usize, e: v128): void {
     const plane = v128.bitselect(lower, upper, isLow);
     const side = sideOf(isLow);
     const change = rebound(x + o, v + o, start, plane, side, hit, e, splat(dt), splat(lag));
-    recordImpacts(c, row, change, axis, side, friction);
+    recordImpacts(c, w, row, change, side);
   }
   // Bodies still outside are clamped to the inside. A body larger than the gap between the walls is held in the middle.
   const position = v128.load(x + o);
@@ -331,7 +356,8 @@ function holdRestingBodies(w: Walls, row: i32, start: usize, lower: v128, upper:
   v128.store(w.v + o, v128.andnot(velocity, restingLanes));
   const c = columns();
   const side = sideOf(onLow);
-  recordImpacts(c, row, v128.and(v128.neg<real>(mul(side, velocity)), restingLanes), w.axis, side, w.friction);
+  shifts = mul(side, sub(origin, x));
+  recordImpacts(c, w, row, v128.and(v128.neg<real>(mul(side, velocity)), restingLanes), side);
 }
 
 // Records the bodies that are near a wall but not beyond it.

@@ -1,6 +1,6 @@
 // Round bodies against half-spaces that are solid where n.x < offset (2D and 3D). The formulas are in impact.ts.
 import { Columns, columns, get, put } from '../../memory/columns';
-import { applyWallFriction } from '../friction';
+import { applyWallFriction, timeOfImpulse } from '../friction';
 import { WALL_MARGIN, word } from '../table';
 import { LANES, add, at, mul, splat, sub } from '../../memory/lanes';
 import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
@@ -104,7 +104,8 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   const reboundDistance = computeReboundDistance<real>(reboundSpeed, acceleration, timeSinceImpact, 0.5);
   const rebounds = reboundDistance > 0 && impact > 0;
   const change = rebounds ? reboundSpeed - acceleration * (timeSinceImpact - lag) + intoWall : max<real>(0, intoWall);
-  shift(c, row, nx, ny, nz, rebounds ? depth + reboundDistance : depth);
+  const out = rebounds ? depth + reboundDistance : depth;
+  shift(c, row, nx, ny, nz, out);
   const startChange = rebounds ? change : -startSpeed;
   put(p.startX, row, get(p.startX, row) + startChange * nx);
   put(p.startY, row, get(p.startY, row) + startChange * ny);
@@ -113,7 +114,8 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   put(c.velocityY, row, vy + change * ny);
   put(c.velocityZ, row, vz + change * nz);
   const friction = sqrt<real>(get(c.friction, row) * get(p.friction, id));
-  applyWallFriction(c, row, nx, ny, nz, friction, change * mass);
+  const moved = applyWallFriction(c, row, nx, ny, nz, friction, change * mass, timeOfImpulse(out, change, dt));
+  shift(c, row, moved.x, moved.y, moved.z, 1);
   recordWallContact(row, id, nx, ny, nz, friction, impact, change * mass, rebounds ? <real>0 : change * mass);
   return true;
 }

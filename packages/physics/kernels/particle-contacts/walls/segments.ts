@@ -5,7 +5,7 @@
 // position at the start of the step, where it did not overlap a wall.
 import { Columns, columns, get, put } from '../../memory/columns';
 import { ContactTable, WALL_MARGIN, contactTable, word } from '../table';
-import { applyWallFriction } from '../friction';
+import { applyWallFriction, timeOfImpulse } from '../friction';
 import { LANES, add, at, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import { computeReboundDistance } from './impact';
 import { recordNearWall, recordWallContact } from './record';
@@ -153,11 +153,11 @@ function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
   const friction = sqrt<real>(get(c.friction, row) * s.friction);
-  applyWallFriction(c, row, nx, ny, 0, friction, impulse);
+  const moved = applyWallFriction(c, row, nx, ny, 0, friction, impulse, timeOfImpulse(shift, change, stepLength));
   const dx = get(c.velocityX, row) - vx;
   const dy = get(c.velocityY, row) - vy;
-  const x = path.x + shift * nx;
-  const y = path.y + shift * ny;
+  const x = path.x + shift * nx + moved.x;
+  const y = path.y + shift * ny + moved.y;
   if (rebounds) continueAfterRebound(c, row, x, y, dx, dy, timeSinceImpact);
   else continueAlongWall(x, y, nx, ny, dx, dy);
   // Impact and friction are not accelerations of this step, but the reaction of a wall cancels acceleration.
