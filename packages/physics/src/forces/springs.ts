@@ -43,7 +43,8 @@ export function springs(): Force {
     accumulate(world) {
       if (world.internal.counts.Spring === 0 || world.integrator.solvesSprings === true) return;
       const { x, y, z } = world.scratch.at.force;
-      const { at } = springTable(world);
+      // Between steps, where forces are only read, nothing has looked for springs.
+      const { at } = world.state === 'idle' ? scanSprings(world) : springTable(world);
       if (world.dimensions === 2) world.kernels.springForces2d(at, x, y);
       else world.kernels.springForces3d(at, x, y, z);
     },
