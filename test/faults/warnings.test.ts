@@ -404,6 +404,15 @@ it('says that contacts let small bodies sink in, and by how much', () => {
   expect(rest(0.01, { substeps: 16, contactHertz: 120 }).messages).toBe('');
 });
 
+it('does not say so of a bob that touches nothing', () => {
+  const { world, messages } = warnedWorld({ preset: rigidBodies, forces: [uniformGravity()] });
+  const a = spawn(world, { position: {}, collider: { radius: 0.01, mask: 0 } });
+  const b = spawn(world, { position: { y: -1 }, mass: 1, collider: { radius: 0.01, mask: 0 } });
+  createJoint(world, distance({ a, b }));
+  step(world, 1 / 60);
+  expect(messages()).toBe('');
+});
+
 it('is not misled by a force of the name of gravity', () => {
   const gravity = defineForce({ name: 'uniform gravity', equation: 'F = 0', reads: [], accumulate() {} });
   const { world, messages } = warnedWorld({ preset: rigidBodies, forces: [gravity] });

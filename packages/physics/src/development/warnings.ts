@@ -374,17 +374,17 @@ function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
   const [[x, y] = [0, 0]] = constantsOf(world, gravity);
   const depth = (DEPTH_OF_BOXES * Math.sqrt(x * x + y * y)) / (frequency * frequency);
   const { members } = world.internal;
-  const { radius, sensor } = world.components.Collider;
+  const { radius, sensor, mask } = world.components.Collider;
   const scaled = bitOf('GravityScale');
   const isHeavy = (id: number) => world.components.Mass.value[id] > 0 && (members[id] & scaled) === 0;
   const isSmall = (id: number) => radius[id] > 0 && radius[id] * MOST_SUNK < depth;
-  const small = firstRow(world, (id) => isSmall(id) && isHeavy(id) && sensor[id] === 0);
+  const small = firstRow(world, (id) => isSmall(id) && isHeavy(id) && sensor[id] === 0 && mask[id] !== 0);
   if (small === 0) return;
   const millimetres = Number((1000 * depth).toPrecision(2));
   const part = Math.round((100 * depth) / radius[small]);
   const warning = {
     message: `body ${small} is small for these steps: its weight presses it ${millimetres} mm into another like it, ${part} % of its radius.`,
-    hint: 'Contacts are springs that sub-steps can follow: take more of them and stiffer ones, such as softStep({ substeps: 16, contactHertz: 120 }).',
+    hint: 'Contacts are springs that sub-steps can follow: take more of them and stiffer ones, such as softStep({ substeps: 16, contactHertz: 120 }). A body that touches nothing takes `mask: 0`.',
   };
   warnOnce(world, warning, 'small');
 }
