@@ -7,8 +7,9 @@
 // The effect of a random force of fixed size decreases with the step; scaled by 1/√dt, the impulse over a time T has
 // the variance S T for any dt. So a free body gains ⟨v²⟩ = S t/m² per axis, a damped oscillator (k, c) has ⟨x²⟩ =
 // S/(2 k c), and with S = 2 c k_B T and linear drag bodies reach the temperature T (Langevin 1908; the
-// fluctuation-dissipation theorem). The random number depends only on the seed, the step and the body's id, so it is
-// the same in every evaluation of a step. Without a seed of its own, each drive of a world has one made of the world's
+// fluctuation-dissipation theorem), if steps are short: with x = c dt/m velocity Verlet brings them to some
+// (1 - x²/4) T, and semi-implicit Euler to T/(1 - x/2). The random number depends only on the seed, the step and the
+// body's id, so it is the same in every evaluation of a step. Without a seed of its own, each drive of a world has one made of the world's
 // seed and its number among such drives, so that their variances add; drives of one seed draw the same numbers. With
 // white noise every integrator is of first order at best. Gillespie, Am. J. Phys. 64, 225 (1996). Cost: a logarithm, a
 // sine or cosine and a square root per body and axis.

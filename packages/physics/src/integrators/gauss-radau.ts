@@ -49,7 +49,7 @@ import {
 
 /** Error control. */
 export interface GaussRadauOptions {
-  /** Maximum last term of the series, relative to the acceleration, 1e-12 to 1e9; default 1e-9. */
+  /** Maximum last term of the series, relative to the acceleration, 1e-12 to 1e9; default 1e-9. Below 1e-11 rounding may exceed it, E_STEP. */
   readonly tolerance?: number;
   /**
    * Maximum number of force evaluations per step; default 4·10⁶ divided by the number of bodies, at most 50 000, and
