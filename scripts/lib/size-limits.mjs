@@ -28,13 +28,13 @@ export const bundles = [
     name: 'with contacts',
     title: 'with contacts',
     imports: `${particles} ${emitters} ${contacts}`,
-    limits: [104, 87.4],
+    limits: [104.4, 87.4],
   },
   {
     name: 'rigid bodies in 2D',
     title: 'rigid bodies in 2D: shapes, joints, events, queries, walls',
     imports: rigid,
-    limits: [207, 142.5],
+    limits: [208, 142.9],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [359.5, 257] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [361, 257.5] },
 ];
