@@ -136,7 +136,7 @@ export function prepareContacts(table: usize): void {
 }
 
 // A disc is pressed where it is round, and the lever of what is none follows alone. What may bounce follows while it is pressed: an
-// impact among these is told by its speed later (finish-blocks.ts).
+// impact among these is told by its speed later (finish-blocks.ts). But nothing turns smooth discs.
 // @ts-ignore: decorator
 @inline function setShares(
   t: RigidTable,
@@ -147,7 +147,9 @@ export function prepareContacts(table: usize): void {
 ): void {
   let shareA: real = 0;
   let shareB: real = 0;
-  const follows = contact.restitution == 0 ? (contact.flags & FORESEEN) == 0 : isOfStart(contact) && isPressed(contact);
+  const areSmoothDiscs = contact.shapeA == 0 && contact.shapeB == 0 && contact.friction == 0;
+  const mayFollow = contact.restitution == 0 || (!areSmoothDiscs && isPressed(contact));
+  const follows = mayFollow && (contact.flags & FORESEEN) == 0;
   if (follows && inverseA + inverseB > 0) {
     const discA = isMovingDisc(t, contact.bodyA);
     const discB = isMovingDisc(t, contact.bodyB);
