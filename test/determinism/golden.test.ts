@@ -47,7 +47,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "63b344caaa02e642",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "9dabb9af5a8bd8a2",
+      "spinner": "628de412630502e9",
       "springs": "2f827429c1ac197b",
       "tumbler": "134f67eae8ad610b",
       "washer": "bcaea9748b319a38",
