@@ -90,6 +90,8 @@ export const FAST_POINT: u32 = 4096;
 // The only point is a corner of b on an edge of a, or the other way round.
 export const EDGE_OF_A: u32 = 8192;
 export const EDGE_OF_B: u32 = 16384;
+// One of the shapes is a segment of a chain, which ends where the next one begins.
+export const ON_CHAIN: u32 = 32768;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

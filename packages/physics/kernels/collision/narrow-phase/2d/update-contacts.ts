@@ -2,9 +2,9 @@
 //
 // Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
 // one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed, or touch with a
-// single point: the other corner of a box that tips over was at least that far away). Only its normal and its separations
-// change, these by the same formula as within sub-steps. Source, but for the normal and the rule of single points: Box2D 3.2
-// (physics_world.c).
+// single point: the other corner of a box that tips over was at least that far away; 0.0005 m on a segment of a chain, on which what
+// slides has another point soon). Only its normal and its separations change, these by the same formula as within sub-steps.
+// Source, but for the normal, the rule of single points and that of chains: Box2D 3.2 (physics_world.c).
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)       n turns with an edge, or the heavier body
 import { columns } from '../../../memory/columns';
@@ -53,6 +53,7 @@ import {
   FOUND,
   IGNORED,
   IS_DEEP,
+  ON_CHAIN,
   OVERLAPS,
   PASSING,
   RigidContact,
@@ -66,6 +67,7 @@ import { coverSeams } from './seams';
 import { updateSensor } from './sensor-overlap';
 
 const RECYCLE_DISTANCE: real = 0.05;
+const CHAIN_DISTANCE: real = 0.0005;
 const RECYCLE_COSINE: real = 0.98;
 
 const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16));
@@ -176,7 +178,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
-  const kept = (contact.flags & (FOUND | IS_DEEP | EDGE_OF_A | EDGE_OF_B)) | (touched ? WAS_TOUCHING : 0);
+  const kept = (contact.flags & (FOUND | IS_DEEP | EDGE_OF_A | EDGE_OF_B | ON_CHAIN)) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
     contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return false;
@@ -218,6 +220,7 @@ function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
   const extentA = (flagsOf(t, contact.a) & MOVES) != 0 ? a.extent : <real>0;
   const extentB = (flagsOf(t, contact.b) & MOVES) != 0 ? b.extent : <real>0;
   const moved = sqrt<real>(x * x + y * y) + max<real>(extentA, extentB) * turn;
+  if ((contact.flags & ON_CHAIN) != 0) return moved < CHAIN_DISTANCE;
   const limit = touched && contact.count == 2 ? RECYCLE_DISTANCE : SPECULATIVE_DISTANCE;
   return moved < limit;
 }
@@ -251,6 +254,8 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   if ((contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
   noteEdge(contact, m);
+  if ((shapeA.isChained | shapeB.isChained) != 0) contact.flags |= ON_CHAIN;
+  else contact.flags &= ~ON_CHAIN;
   takePoints(t, contact, m);
 }
 
