@@ -46,7 +46,8 @@ describe.each([
     for (const peer of peers) {
       for (let s = 0; s < STEPS; s++) peer.step();
       const ratio = extentOfPeer(peer) / extentOfOurs(run);
-      expect(ratio, peer.name).toBeGreaterThan(0.7);
+      // What is squeezed out of the wall that is smashed flies on for two seconds: how fast it does differs most.
+      expect(ratio, peer.name).toBeGreaterThan(name === 'smash' ? 0.6 : 0.7);
       // The chains of planck stretch to twice their length under the heavy ball.
       expect(ratio, peer.name).toBeLessThan(name === 'chains' && peer.name.startsWith('planck') ? 2.5 : 1.4);
     }
