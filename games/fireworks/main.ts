@@ -1,5 +1,5 @@
 /** Fireworks: one scene, drawn in 2D by pixi.js and in 3D by three.js. */
-import { FOUR_WAYS, helpLines, startGame } from '@principia/shell';
+import { FOUR_WAYS, followPastedLinks, helpLines, startGame } from '@principia/shell';
 import { KEYBOARD_POINTER, PlayerControls } from './controls.ts';
 import { applyColors, reportState } from './report.ts';
 import { settings } from './settings.ts';
@@ -7,8 +7,7 @@ import { applyValue, createGame, type Direction } from './sim.ts';
 import { WORDS } from './words.ts';
 
 const controls = new PlayerControls(location.hash);
-// A link to the same page that is pasted while it is open changes the part after # only, which loads nothing.
-addEventListener('hashchange', () => location.reload());
+followPastedLinks();
 
 document.title = WORDS.title;
 

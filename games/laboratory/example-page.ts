@@ -5,6 +5,7 @@ import type { ExampleEntry } from '@principia/scenes/examples/list';
 import {
   type Controls,
   element,
+  followPastedLinks,
   type Renderer,
   type Settings,
   type SimulationOptions,
@@ -38,8 +39,7 @@ const rewindSeconds = ({ duration, ends }: Example) =>
 /** @param query of the address, with the name of the example */
 export async function openExample(entry: ExampleEntry, query: URLSearchParams): Promise<void> {
   addLaboratoryStyles();
-  // A link to the same example that is pasted while it is open changes the part after # only, which loads nothing.
-  addEventListener('hashchange', () => location.reload());
+  followPastedLinks();
   const carried = await linkedCode(location.hash);
   // An empty version says nothing.
   const linked = carried || undefined;

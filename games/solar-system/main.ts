@@ -1,6 +1,6 @@
 /** The solar system as JPL knows it, and missions to fly in it, drawn by three.js. */
 import { BODY_NAMES } from '@principia/scenes';
-import { helpLines, startGame } from '@principia/shell';
+import { followPastedLinks, helpLines, startGame } from '@principia/shell';
 import { Page } from './page.ts';
 import { outcomeOf, reportState } from './report.ts';
 import { settings } from './settings.ts';
@@ -10,8 +10,7 @@ import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
 const page = new Page(location.hash);
-// A link to the same page that is pasted while it is open changes the part after # only, which loads nothing.
-addEventListener('hashchange', () => location.reload());
+followPastedLinks();
 
 /** The world's masses are G m in km³/s², its lengths km; momenta and energies have the factor G as well. */
 const UNITS = {

@@ -1,6 +1,6 @@
 /** A sandbox of rigid bodies, drawn by pixi.js. */
 import { bodies } from '@principia/physics';
-import { dragByJoints, helpLines, startGame } from '@principia/shell';
+import { dragByJoints, followPastedLinks, helpLines, startGame } from '@principia/shell';
 import { applyColors } from './colors.ts';
 import { readScene } from './scene-link.ts';
 import { settings } from './settings.ts';
@@ -8,8 +8,7 @@ import { applyValue, blast, createSim, dropBlock, report, throwBall } from './si
 import { WORDS } from './words.ts';
 
 document.title = WORDS.title;
-// A link to the same page that is pasted while it is open changes the part after # only, which loads nothing.
-addEventListener('hashchange', () => location.reload());
+followPastedLinks();
 
 const ACTIONS = { action: throwBall, up: dropBlock, down: blast } as const;
 

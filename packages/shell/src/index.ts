@@ -28,6 +28,7 @@ export { chooseWords, decimal, grouped, inLanguage, type Language, language, wit
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export { speakNumbers } from './number-field.ts';
 export type { Outcome } from './outcome-card.ts';
+export { followPastedLinks } from './pasted-links.ts';
 export { drawDot, drawPath, drawTimeMark } from './path-plot.ts';
 export { pickBody2D } from './pick.ts';
 export { type AppearanceOptions, SAFE_COLORS } from './preferences.ts';

@@ -3,7 +3,7 @@
 
 import { assertUsable } from '../ecs/guards.ts';
 import { clearForcesOfImmovable } from '../ecs/partial-entities.ts';
-import { refreshRanges } from '../ecs/ranges.ts';
+import { findRows } from '../ecs/ranges.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { checkNumber, mustBe } from '../errors/validate.ts';
 import type { LoopSource, Store } from '../laws/loop-source.ts';
@@ -29,6 +29,7 @@ export const evaluateForces: EvaluateForces = (world, ranges, time) => {
   assertUsable(world);
   if (ranges?.bounds === undefined) throw mustBe('ranges of rows, such as `world.ranges`', ranges, 'ranges');
   checkNumber(time, 'time');
+  // Between steps bodies may have come since the last one, or there was none.
   if (world.state === 'idle') findRows(world);
   sumForces(world, ranges, time);
   // Forces that read one body confine a bad value to it, unless the scheme couples bodies, as Jacobi coordinates do.
@@ -36,12 +37,6 @@ export const evaluateForces: EvaluateForces = (world, ranges, time) => {
   if (confinesBadForces || world.internal.isTrial) return;
   for (let r = 0; r < ranges.count; r++) quarantineBadForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
 };
-
-/** Between steps: bodies may have come since the last one, or there was none. */
-function findRows(world: PhysicsWorld): void {
-  refreshRanges(world);
-  world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
-}
 
 /** Evaluates all forces without a check of their values. */
 export function sumForces(world: PhysicsWorld, ranges: Ranges, time: number): void {

@@ -5,8 +5,18 @@ import { assertUsable } from './guards.ts';
 /** Ranges separated by fewer blocks are joined: processing empty rows costs less than another call. */
 const JOIN_BLOCKS = 8;
 
+/** Updates what a step, or who reads forces between two, goes over: `world.ranges`, and the number of rows in use. */
+export function findRows(world: PhysicsWorld): void {
+  refreshRanges(world);
+  world.internal.sweptRows = rowsInUse(world);
+}
+
+function rowsInUse({ lastId }: PhysicsWorld): number {
+  return Math.ceil((lastId + 1) / 16) * 16;
+}
+
 /** Updates `world.ranges` and `world.ids` if the component bits changed, or rows were left out. */
-export function refreshRanges(world: PhysicsWorld): void {
+function refreshRanges(world: PhysicsWorld): void {
   const { kernels, internal } = world;
   const isCurrent = internal.rangesVersion === world.versions.membership;
   if (isCurrent && !internal.leavesOutWaiting) return;
@@ -28,9 +38,15 @@ export function leaveOutWaiting(world: PhysicsWorld): void {
 function buildRanges(world: PhysicsWorld, leavesOutWaiting: boolean): void {
   const { kernels, internal, ranges } = world;
   const { membersAt, rangesAt } = internal;
-  const rows = Math.ceil((world.lastId + 1) / 16) * 16;
   const bodies = bitOf('Position');
-  ranges.count = kernels.buildRanges(membersAt, bodies, rows, JOIN_BLOCKS, rangesAt, leavesOutWaiting ? 1 : 0);
+  ranges.count = kernels.buildRanges(
+    membersAt,
+    bodies,
+    rowsInUse(world),
+    JOIN_BLOCKS,
+    rangesAt,
+    leavesOutWaiting ? 1 : 0,
+  );
   internal.leavesOutWaiting = leavesOutWaiting;
 }
 

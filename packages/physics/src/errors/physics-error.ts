@@ -41,7 +41,7 @@ export class PhysicsError extends Error {
     super(`${code}: ${problem}${details.hint === undefined ? '' : ` ${details.hint}`}`);
     this.entity = details.entity;
     this.field = details.field;
-    // Consoles print what is enumerable of an error that nobody catches: a list of points would hide the message.
+    // Consoles print the enumerable properties of an uncaught error: a list of points would hide the message.
     const { value } = details;
     Object.defineProperty(this, 'value', { value, enumerable: typeof value !== 'object' });
     this.hint = details.hint;

@@ -5,7 +5,6 @@ import { spawnMany } from '../bodies/spawn-many.ts';
 import { angularMomentum, centreOfMass, energy, momentum } from '../diagnostics/energy.ts';
 import { stateHash } from '../diagnostics/hash.ts';
 import { evaluateForces } from '../dynamics/evaluate-forces.ts';
-import { refreshRanges } from '../ecs/ranges.ts';
 import { rungeKutta4 } from '../integrators/runge-kutta-4.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
@@ -15,8 +14,6 @@ import { mutualGravity } from './mutual-gravity.ts';
 
 /** Returns the forces on all bodies in the present state. */
 function forcesIn(world: PhysicsWorld) {
-  refreshRanges(world);
-  world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
   evaluateForces(world, world.ranges, 0);
   return world.scratch.force;
 }

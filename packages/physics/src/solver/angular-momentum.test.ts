@@ -66,17 +66,27 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     },
   );
 
-  it.each([0.5, 5])('two boxes that a spring pulls together go on turning at %f rad/s', (w) => {
+  /** A world with boxes of 1 m side by side that turn at `w` as one body and that a spring pulls together, N/m at 1 m. */
+  function pulledTogether(
+    w: number,
+    stiffness: number,
+    material: { readonly friction: number; readonly restitution?: number },
+  ) {
     const world = rigidWorld({ precision, forces: [springs()] });
     const [a, b] = [-0.5, 0.5].map((x) =>
       spawn(world, {
         position: { x },
         velocity: { y: w * x },
         angularVelocity: w,
-        collider: { shape: box(1, 1), density: 1, friction: 0.6 },
+        collider: { shape: box(1, 1), density: 1, ...material },
       }),
     );
-    spawn(world, { spring: { a, b, stiffness: 200, length: 0 } });
+    spawn(world, { spring: { a, b, stiffness, length: 0 } });
+    return world;
+  }
+
+  it.each([0.5, 5])('two boxes that a spring pulls together go on turning at %f rad/s', (w) => {
+    const world = pulledTogether(w, 200, { friction: 0.6 });
     run(world, 10);
     // Both boxes turn about what lies between them: 2 (1/6 + 1/4) kg m².
     expect(Math.abs(angularMomentum(world).z / ((5 / 6) * w) - 1)).toBeLessThan(1e-4);
@@ -120,24 +130,9 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     expect(Math.abs(lossOfOrbit(dt, restitution))).toBeLessThan((ORBIT ** 2 * dt) / 2);
   });
 
-  /** Boxes of 1 m side by side that turn at `w` as one body and are pulled together with some 100 N: how much is left of this turning. */
-  function pulledTogether(w: number, material: { readonly friction: number; readonly restitution: number }) {
-    const world = rigidWorld({ precision, forces: [springs()] });
-    const [a, b] = [-0.5, 0.5].map((x) =>
-      spawn(world, {
-        position: { x },
-        velocity: { y: w * x },
-        angularVelocity: w,
-        collider: { shape: box(1, 1), density: 1, ...material },
-      }),
-    );
-    spawn(world, { spring: { a, b, stiffness: 100, length: 0 } });
-    return world;
-  }
-
   // With normals that lag by the 6 ms of half a step, 100 N pushed the boxes along their way: 1.7 J became 29 J in eight seconds.
   it.each([0.5, 2, 5])('two smooth boxes that a spring pulls together at %f rad/s gain no energy', (w) => {
-    const world = pulledTogether(w, { friction: 0, restitution: 0 });
+    const world = pulledTogether(w, 100, { friction: 0, restitution: 0 });
     run(world, 1);
     const { total, kinetic } = energy(world);
     run(world, 7);
@@ -157,7 +152,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     'two boxes that a spring pulls together at %f rad/s go on turning with e = %f and a friction of %f',
     (...options) => {
       const [w, restitution, friction] = options;
-      const world = pulledTogether(w, { friction, restitution });
+      const world = pulledTogether(w, 100, { friction, restitution });
       run(world, 1);
       const { z } = angularMomentum(world);
       run(world, 7);

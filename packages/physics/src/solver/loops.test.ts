@@ -17,7 +17,7 @@ import { rigidWorld } from '../../../../test/support/rigid-world.ts';
 
 const DT = 1 / 60;
 
-/** A world without gravity and sleep, with a closed chain of so many segments on a circle about the origin. */
+/** A world without gravity and sleep, with a closed chain of `count` segments on a circle about the origin. */
 function loopWorld(precision: Precision, radius: number, count: number, friction: number): PhysicsWorld {
   const world = rigidWorld({ precision, capacity: 600, forces: [], integrator: softStep({ sleepTime: 0 }) });
   const points = Array.from({ length: count }, (_, i) => {

@@ -5,7 +5,7 @@ import { validateCoefficients } from '../dynamics/validate-coefficients.ts';
 import { holdQuarantined } from '../dynamics/validate-state.ts';
 import { applyDeferredEdits } from '../ecs/deferred.ts';
 import { assertIdle } from '../ecs/guards.ts';
-import { refreshRanges } from '../ecs/ranges.ts';
+import { findRows } from '../ecs/ranges.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { destroyWorld } from './create-world.ts';
 import { hasHandlers, ignoredEvents } from './event-handlers.ts';
@@ -40,8 +40,7 @@ export function step(world: PhysicsWorld, dt: number): void {
   const plan = currentPlan(world);
   clearStepErrors(world);
   prepare(world, dt);
-  refreshRanges(world);
-  world.internal.sweptRows = Math.ceil((world.lastId + 1) / 16) * 16;
+  findRows(world);
   validateCoefficients(world);
 
   world.state = 'stepping';

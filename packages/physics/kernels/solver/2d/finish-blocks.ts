@@ -43,7 +43,7 @@ export function finishBlocks(t: RigidTable): void {
   v128.store(at, v128.andnot(v128.load(at, block.SHARE_B), impact), block.SHARE_B);
 }
 
-// The speed at which two bodies both turn, the slower one of those that turn alike.
+// The angular velocity that two bodies have in common: the slower one if both turn the same way, otherwise 0.
 // @ts-ignore: decorator
 @inline function inCommon(wA: v128, wB: v128): v128 {
   const zero = splat(0);

@@ -2,15 +2,8 @@
 import { LANES, at as laneOffset } from '../../memory/lanes';
 import { clearRecord } from '../../memory/records';
 import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
-import {
-  EDGE_OF_A,
-  EDGE_OF_B,
-  FAST_POINT,
-  FORESEEN,
-  RigidContact,
-  contactAt,
-  pointOf,
-} from '../../collision/narrow-phase/2d/rigid-contact';
+import { EDGE_OF_A, EDGE_OF_B } from '../../collision/narrow-phase/2d/manifold';
+import { FAST_POINT, FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, DYNAMIC, LOCKED, MOVES, ROUND, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
@@ -131,8 +124,8 @@ export function prepareContacts(table: usize): void {
 
 // @ts-ignore: decorator
 @inline function cornerOf(contact: RigidContact): real {
-  const edge = isOfStart(contact) ? contact.flags & (EDGE_OF_A | EDGE_OF_B) : 0;
-  return edge == EDGE_OF_A ? block.CORNER_OF_B : edge == EDGE_OF_B ? block.CORNER_OF_A : <real>0;
+  if ((contact.flags & EDGE_OF_A) != 0) return block.CORNER_OF_B;
+  return (contact.flags & EDGE_OF_B) != 0 ? block.CORNER_OF_A : <real>0;
 }
 
 // A disc is pressed where it is round, and the lever of what is none follows alone. What may bounce follows while it is pressed: an

@@ -4,7 +4,7 @@
 // apart than the shapes are, the contact is one point between the nearest points of the two.
 import { Shape, nextVertex, normalX, normalY, vertexX, vertexY } from '../../shapes/2d/shape';
 import { Distance, closestPoints } from './distance';
-import { FACE_OF_A, FACE_OF_B, Manifold, addRoundedPoint, setNormal } from './manifold';
+import { EDGE_OF_A, EDGE_OF_B, Manifold, addRoundedPoint, setNormal } from './manifold';
 import { RelativePose, pointX, pointY } from './relative-pose';
 
 // A clipped point counts as the nearest of the shapes when it is no further than this beyond it, m: a tenth of the slop.
@@ -55,7 +55,7 @@ export function clipEdges(
   const mayBeNearer = !isFaceOnly && least > separation + TOLERANCE;
   if (mayBeNearer && meetAtNearestPoints(m, reference, incident, pose, isFlipped, least - TOLERANCE)) return;
   setNormal(m, nx, ny);
-  m.face = isFlipped ? FACE_OF_B : FACE_OF_A;
+  m.edge = isFlipped ? EDGE_OF_B : EDGE_OF_A;
   if (!overlaps) {
     // The outlines overlap beyond an end of the reference edge: the deepest vertex stands for all.
     if (lowAway < highAway)
@@ -119,7 +119,6 @@ function meetAtNearestPoints(
   const distance = nearest.distance;
   if (distance <= 0 || distance >= limit) return false;
   setNormal(m, nearest.nx, nearest.ny);
-  m.face = 0;
   addRoundedPoint(
     m,
     nearest.ax,

@@ -11,7 +11,7 @@ import { collidePolygons } from './polygon-polygon';
 // Finds normal and points from the poses in the manifold.
 export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
   m.count = 0;
-  m.face = 0;
+  m.edge = 0;
   if ((a.isChained | b.isChained) != 0) {
     collideChained(m, a, b);
   } else if (b.kind == CIRCLE) {

@@ -32,13 +32,13 @@ export class Manifold {
   x1: real;
   y1: real;
   separation1: real;
-  // Whose edge the normal is of: FACE_OF_A, FACE_OF_B, or 0 where it is that of two corners or of discs.
-  face: u32;
+  // Whose edge the normal is of: EDGE_OF_A, EDGE_OF_B, or 0 where it is that of two corners or of discs.
+  edge: u32;
 }
 
-// Values of `face`.
-export const FACE_OF_A: u32 = 1;
-export const FACE_OF_B: u32 = 2;
+// Values of `edge`, which are bits of the flags of a contact (rigid-contact.ts).
+export const EDGE_OF_A: u32 = 8192;
+export const EDGE_OF_B: u32 = 16384;
 
 // Sets the poses of two shapes, with the position of b from a: far from the origin the difference of both has digits that they
 // lack.
@@ -151,5 +151,5 @@ export function swapShapes(m: Manifold): void {
   m.ny = -m.ny;
   m.id0 = ((m.id0 & 255) << 8) | (m.id0 >> 8);
   m.id1 = ((m.id1 & 255) << 8) | (m.id1 >> 8);
-  if (m.face != 0) m.face = FACE_OF_A + FACE_OF_B - m.face;
+  if (m.edge != 0) m.edge = EDGE_OF_A + EDGE_OF_B - m.edge;
 }

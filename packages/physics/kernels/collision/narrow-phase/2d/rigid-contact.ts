@@ -87,9 +87,7 @@ export const IS_DEEP: u32 = 1024;
 export const FORESEEN: u32 = 2048;
 // A point approached faster than the hit speed when the step began.
 export const FAST_POINT: u32 = 4096;
-// The only point is a corner of b on an edge of a, or the other way round.
-export const EDGE_OF_A: u32 = 8192;
-export const EDGE_OF_B: u32 = 16384;
+// 8192 and 16384 are EDGE_OF_A and EDGE_OF_B (manifold.ts): the only point is a corner of b on an edge of a, or the other way round.
 // One of the shapes is a segment of a chain, which ends where the next one begins.
 export const ON_CHAIN: u32 = 32768;
 

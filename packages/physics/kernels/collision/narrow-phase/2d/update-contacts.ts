@@ -41,14 +41,12 @@ import { areDiscs } from './collide-ahead';
 import { collideShapes } from './collide-shapes';
 import { freeContact, isCurrent, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, reachOf } from './far-points';
-import { FACE_OF_A, FACE_OF_B, Manifold, setPoses } from './manifold';
+import { EDGE_OF_A, EDGE_OF_B, Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
 import { passesThrough } from './one-way';
 import {
   ContactPoint,
-  EDGE_OF_A,
-  EDGE_OF_B,
   FORESEEN,
   FOUND,
   IGNORED,
@@ -253,16 +251,10 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   // A predicted manifold is computed again in the next step.
   if ((contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
-  noteEdge(contact, m);
+  contact.flags &= ~(EDGE_OF_A | EDGE_OF_B | ON_CHAIN);
+  if (m.count == 1) contact.flags |= m.edge;
   if ((shapeA.isChained | shapeB.isChained) != 0) contact.flags |= ON_CHAIN;
-  else contact.flags &= ~ON_CHAIN;
   takePoints(t, contact, m);
-}
-
-// @ts-ignore: decorator
-@inline function noteEdge(contact: RigidContact, m: Manifold): void {
-  contact.flags &= ~(EDGE_OF_A | EDGE_OF_B);
-  if (m.count == 1) contact.flags |= m.face == FACE_OF_A ? EDGE_OF_A : m.face == FACE_OF_B ? EDGE_OF_B : 0;
 }
 
 // Bodies whose centres are nearer, in parts of the least extent, lie in one place.
