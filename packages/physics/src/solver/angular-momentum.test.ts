@@ -161,24 +161,26 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     },
   );
 
-  // Of levers of the start of each step nine tenths were lost. What is left to lose are the bounces until the heap has settled.
-  it('a heap of boxes that springs pull to a disc goes on turning with e = 0.5', () => {
+  // With levers of the start of each step boxes lose nine tenths, capsules a third. What is left to lose are the bounces until the
+  // heap has settled.
+  it.each([
+    ['boxes', (size: number) => box(size, 1.4 - size)],
+    ['capsules', (size: number) => capsule(size, 0.2)],
+  ] as const)('a heap of %s that springs pull to a disc goes on turning with e = 0.5', (_, shapeOf) => {
     const world = rigidWorld({ precision, forces: [springs()] });
     const surface = { density: 1, friction: 0.5, restitution: 0.5 };
     const hub = spawn(world, { position: {}, velocity: {}, angularVelocity: 0, collider: { radius: 0.5, ...surface } });
     for (let i = 0; i < 20; i++) {
       const [r, angle] = [1.5 + 0.1 * i, i * Math.PI * (3 - Math.sqrt(5))];
       const [x, y] = [r * Math.cos(angle), r * Math.sin(angle)];
-      const size = 0.4 + 0.03 * i;
-      const shape = box(size, 1.4 - size);
-      const collider = { shape, ...surface };
+      const collider = { shape: shapeOf(0.4 + 0.03 * i), ...surface };
       const b = spawn(world, { position: { x, y }, rotation: i, velocity: { x: -y, y: x }, collider, neverSleep: {} });
       spawn(world, { spring: { a: hub, b, stiffness: 20, length: 0 } });
     }
     run(world, 2);
     const { z } = angularMomentum(world);
     run(world, SECONDS);
-    expect(Math.abs(angularMomentum(world).z / z - 1)).toBeLessThan(0.02);
+    expect(Math.abs(angularMomentum(world).z / z - 1)).toBeLessThan(2e-3);
     destroyWorld(world);
   });
 

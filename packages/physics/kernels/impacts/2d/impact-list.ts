@@ -5,8 +5,9 @@ import { flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
 import { blockAt, contactOf, laneAt, pointAt, separationAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { Impact, impactAt, pointOf } from './impact';
+import { Impact, impactAt, pointOf, setCoupling } from './impact';
 import { memberOf, treeOf, weighTrees } from './impact-trees';
+import { moveToEnd } from './move-to-end';
 
 // In t.impactOf: joints keep the points of the contact from moving apart.
 const HELD: i32 = -2;
@@ -78,15 +79,10 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
     point.taken = 0;
     point.room = t.isLanding != 0 ? max<real>(0, separationAt(at, p, l)) / <real>t.dt : <real>0;
   }
-  impact.coupling = contact.count > 1 ? couplingOf(impact) : <real>0;
-}
-
-function couplingOf(impact: Impact): real {
-  const p = pointOf(impact, 0);
-  const q = pointOf(impact, 1);
-  const x = (impact.massAx + impact.massBx) * impact.nx * impact.nx;
-  const y = (impact.massAy + impact.massBy) * impact.ny * impact.ny;
-  return x + y + impact.inertiaA * p.leverA * q.leverA + impact.inertiaB * p.leverB * q.leverB;
+  setCoupling(impact);
+  // What acted at levers that followed did so on average in the middle of the step.
+  const followed = get(at + block.SHARE_A, l) + get(at + block.SHARE_B, l) > 0;
+  if (t.isLanding == 0 && followed) moveToEnd(t, impact, 0.5);
 }
 
 // Changes the impulses of the contact by those of the rounds. The next step begins with the impulses of the last sub-step, because

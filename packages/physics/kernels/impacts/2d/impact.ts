@@ -125,3 +125,13 @@ function applyImpulse(impact: Impact, x: real, y: real, turnA: real, turnB: real
   b.vy += impact.massBy * y;
   b.w += impact.inertiaB * turnB;
 }
+
+// The speed that an impulse of 1 N s at one of two points gives the other, 1/kg.
+export function setCoupling(impact: Impact): void {
+  const p = pointOf(impact, 0);
+  const q = pointOf(impact, 1);
+  const x = (impact.massAx + impact.massBx) * impact.nx * impact.nx;
+  const y = (impact.massAy + impact.massBy) * impact.ny * impact.ny;
+  const turning = impact.inertiaA * p.leverA * q.leverA + impact.inertiaB * p.leverB * q.leverB;
+  impact.coupling = impact.count > 1 ? x + y + turning : <real>0;
+}

@@ -19,7 +19,8 @@ import { halfKick } from './half-kick';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
-import { memberOf, othersIn, projectImpact, projectImpacts, startTrees } from './impact-trees';
+import { memberOf, othersIn, projectImpact, projectImpacts, startTrees, weighTrees } from './impact-trees';
+import { moveToEnd } from './move-to-end';
 
 // An impact runs on where it strikes by more than this part of the threshold.
 const LEAST_PART: real = 0.1;
@@ -41,6 +42,7 @@ export function applyRestitution(table: usize): i32 {
   projectImpacts(t);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
+  for (let i = 0; i < count; i++) goOn(t, impactAt(t, i));
   halfKick(t, count, false);
   bounceInRounds(t, max<real>(<real>t.restitutionThreshold, AT_REST));
   halfKick(t, count, true);
@@ -151,6 +153,16 @@ function takeBack(t: RigidTable, impact: Impact): void {
       -beyond(get(p + block.TOTAL_TANGENT_IMPULSE, l), substeps(t) * began.tangentImpulse),
     );
   }
+}
+
+// Moves levers to where impulses keep angular momentum. An impulse P at levers of the start makes some if the bodies have slid by d since
+// they met, in the middle of the step on average: d × P/2 is lost when it is taken back, and what then acts 1 + e times has to make up
+// for that:
+//
+//   -1/2 + (1 + e)(1 - part) = 0
+function goOn(t: RigidTable, impact: Impact): void {
+  moveToEnd(t, impact, 1 - <real>0.5 / (1 + impact.restitution));
+  impact.held = weighTrees(t, impact) ? 0 : 1;
 }
 
 // What an impulse is beyond the one that was to be expected, as far as they have the same sense.

@@ -67,7 +67,8 @@ const MOST_PUSH: f64 = 1000;
 }
 
 // Decides what a motor does. One that gave all it had goes on to do so as long as its speed is not reached; and one that could not
-// bring its two bodies to its speed, by themselves, cannot do so with what hangs on them.
+// bring its two bodies to its speed, by themselves, cannot do so with what hangs on them. It pushes the other way at once when its speed
+// changes sign: holding one sub-step long a speed that it cannot reach would move the bodies by it.
 export function predictMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   if (work.motor != HOLDS) return;
@@ -78,7 +79,8 @@ export function predictMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   const isSpent = abs<f64>(before) >= most && before * excess < SLOW * most;
   const wanted = before - excess / coupling(work, row, row);
   if (isSpent) work.motor = before > 0 ? PUSHES_UP : PUSHES_DOWN;
-  else if (abs<f64>(before) < most && abs<f64>(wanted) > most) work.motor = excess < 0 ? PUSHES_UP : PUSHES_DOWN;
+  else if (abs<f64>(wanted) > most && (abs<f64>(before) < most || wanted * before < 0))
+    work.motor = excess < 0 ? PUSHES_UP : PUSHES_DOWN;
 }
 
 // One that is faster than it should be by less than this, m/s or rad/s, goes on to push, and holds at the end of the sub-step if it still

@@ -21,8 +21,8 @@ export const NY: usize = 9 * V;
 // An impulse P makes no angular momentum if its levers at a and at b differ by (x_b - x_a) × P. So they follow when b has moved by d
 // from a since the step began: that of a is longer by its share of d × P, that of b shorter by its own. The shares are 1
 // together; the lighter body has the smaller one, and turns nearly as it would alone, unless a corner is on an edge. Both are 0
-// for an impact that is foreseen, whose levers are those of its moment, and for what bounces, whose impulses are found anew when
-// the step ends (impacts/2d).
+// for an impact that is foreseen, whose levers are those of its moment, for one that may bounce, whose impulses are found anew when
+// the step ends (impacts/2d), and where the bodies slide too far (finish-blocks.ts).
 export const SHARE_A: usize = 10 * V;
 export const SHARE_B: usize = 11 * V;
 export const ROLLING_IMPULSE: usize = 12 * V;

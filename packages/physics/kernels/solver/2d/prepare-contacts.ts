@@ -105,7 +105,7 @@ export function prepareContacts(table: usize): void {
   store<real>(lane, isOfStart(contact) ? <real>(0.5 * (t.dt - t.h)) : <real>0, block.AHEAD);
   store<real>(lane, contact.restitution, block.RESTITUTION);
   store<real>(lane, cornerOf(contact), block.CORNER);
-  setShares(t, contact, lane, a.inverseMass, b.inverseMass);
+  setShares(t, contact, lane);
   store<real>(lane, contact.nx, block.NX);
   store<real>(lane, contact.ny, block.NY);
   store<real>(lane, contact.friction, block.FRICTION);
@@ -128,39 +128,30 @@ export function prepareContacts(table: usize): void {
   return (contact.flags & EDGE_OF_B) != 0 ? block.CORNER_OF_A : <real>0;
 }
 
-// A disc is pressed where it is round, and the lever of what is none follows alone. What may bounce follows while it is pressed: an
-// impact among these is told by its speed later (finish-blocks.ts). But nothing turns smooth discs.
+// Which impacts bounce is told by their speeds later (finish-blocks.ts).
 // @ts-ignore: decorator
-@inline function setShares(
-  t: RigidTable,
-  contact: RigidContact,
-  lane: usize,
-  inverseA: real,
-  inverseB: real,
-): void {
-  let shareA: real = 0;
-  let shareB: real = 0;
-  const areSmoothDiscs = contact.shapeA == 0 && contact.shapeB == 0 && contact.friction == 0;
-  const mayFollow = contact.restitution == 0 || (!areSmoothDiscs && isPressed(contact));
-  const follows = mayFollow && (contact.flags & FORESEEN) == 0;
-  if (follows && inverseA + inverseB > 0) {
-    const discA = isMovingDisc(t, contact.bodyA);
-    const discB = isMovingDisc(t, contact.bodyB);
-    shareA = discA == discB ? inverseB / (inverseA + inverseB) : discA ? <real>0 : <real>1;
-    shareB = 1 - shareA;
-  }
-  store<real>(lane, shareA, block.SHARE_A);
-  store<real>(lane, shareB, block.SHARE_B);
+@inline function setShares(t: RigidTable, contact: RigidContact, lane: usize): void {
+  const shareA = shareOfA(t, contact);
+  const follows = shareA >= 0 && (contact.flags & FORESEEN) == 0 && (contact.restitution == 0 || mayTurn(t, contact));
+  store<real>(lane, follows ? shareA : <real>0, block.SHARE_A);
+  store<real>(lane, follows ? 1 - shareA : <real>0, block.SHARE_B);
 }
 
-// Whether the bodies pressed each other when the last step ended, and had not met in it.
+// Nothing turns smooth discs, and what is locked gets angular momentum from nowhere.
+export function mayTurn(t: RigidTable, contact: RigidContact): bool {
+  if (((flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB)) & LOCKED) != 0) return false;
+  return contact.shapeA != 0 || contact.shapeB != 0 || contact.friction != 0;
+}
+
+// A disc is pressed where it is round, and the lever of what is none follows alone. -1 where neither body moves.
 // @ts-ignore: decorator
-@inline function isPressed(contact: RigidContact): bool {
-  const first = pointOf(contact, 0);
-  const second = pointOf(contact, 1);
-  if (first.normalSpeed < -block.HIT_SPEED || (contact.count > 1 && second.normalSpeed < -block.HIT_SPEED))
-    return false;
-  return first.normalImpulse > 0 || (contact.count > 1 && second.normalImpulse > 0);
+@inline export function shareOfA(t: RigidTable, contact: RigidContact): real {
+  const inverseA = poseOf(t, contact.bodyA).inverseMass;
+  const inverseB = poseOf(t, contact.bodyB).inverseMass;
+  if (!(inverseA + inverseB > 0)) return -1;
+  const discA = isMovingDisc(t, contact.bodyA);
+  const discB = isMovingDisc(t, contact.bodyB);
+  return discA == discB ? inverseB / (inverseA + inverseB) : discA ? <real>0 : <real>1;
 }
 
 // @ts-ignore: decorator
