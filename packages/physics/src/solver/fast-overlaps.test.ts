@@ -1,30 +1,14 @@
 // What is very fast and is found inside others, as after it has passed through what bullets do not, is pushed out, and no energy is
 // gained: contacts without restitution only take.
-import {
-  box,
-  createPhysicsWorld,
-  destroyWorld,
-  energy,
-  rigidBodies,
-  spawn,
-  step,
-  uniformGravity,
-} from '@principia/physics';
+import { box, destroyWorld, energy, spawn, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-
-const DT = 1 / 60;
-const G = 10;
+import { DT, G, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   it.each([40, 100, 300])('a box of %d m/s inside two stacked boxes makes no energy', (speed) => {
     for (let x = -0.4; x < 0.5; x += 0.2) {
       for (let y = 0.4; y < 1.9; y += 0.2) {
-        const world = createPhysicsWorld({
-          preset: rigidBodies,
-          precision,
-          capacity: 10,
-          forces: [uniformGravity({ y: -G })],
-        });
+        const world = rigidWorld({ precision, capacity: 10 });
         spawn(world, { position: { y: -1 }, collider: { shape: box(60, 2), friction: 0.6 } });
         for (const height of [0.5, 1.5]) {
           spawn(world, { position: { y: height }, collider: { shape: box(1, 1), density: 1, friction: 0.3 } });
