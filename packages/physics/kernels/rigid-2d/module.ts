@@ -9,7 +9,7 @@ export { nextShapeHit } from '../collision/queries/2d/shape-cast';
 export { findRigidPairs } from '../collision/broad-phase/2d/find-pairs';
 export { clearContacts } from '../collision/narrow-phase/2d/contact-list';
 export { ignorePair, newPair } from '../collision/narrow-phase/2d/new-pairs';
-export { updateContacts, wakeTouched } from '../collision/narrow-phase/2d/update-contacts';
+export { updateContacts, wakeIslands } from '../collision/narrow-phase/2d/update-contacts';
 export { gatherBodies } from '../solver/2d/gather-bodies';
 export { integratePositions, integrateVelocities, writeAngles, writeBodies } from '../solver/2d/integrate-bodies';
 export { assignWallShapes, countInvalidWalls } from '../solver/2d/walls';

@@ -165,6 +165,8 @@ function advance(
   words[Word.torqueZ] = anyForceAppliesTorque(world) ? world.scratch.at.torque.z : 0;
 
   kernels.gatherBodies(at);
+  // Before anything else, because other forces wake what sleeps.
+  evaluateForces(world, ranges, world.time);
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
   words[Word.joints] = joints;
   words[Word.linkCount] = 0;
@@ -173,7 +175,7 @@ function advance(
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
   if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
-  kernels.wakeTouched(at);
+  kernels.wakeIslands(at);
   if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);
   kernels.colorContacts(at);
@@ -181,7 +183,7 @@ function advance(
   const crowded = kernels.findCrowds(at) > 0;
   const isSteady = areForcesSteady(world);
   for (let s = 0; s < substeps; s++) {
-    if (s === 0 || !isSteady) evaluateForces(world, ranges, world.time + s * h);
+    if (s > 0 && !isSteady) evaluateForces(world, ranges, world.time + s * h);
     kernels.integrateVelocities(at);
     if (crowded) kernels.measureCrowds(at);
     if (joints !== 0 && s === 0) kernels.slowLandings(at);

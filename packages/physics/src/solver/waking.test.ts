@@ -9,10 +9,13 @@ import {
   setShape,
   spawn,
   spawnCompound,
+  step,
+  thrust,
+  uniformGravity,
 } from '@principia/physics';
 import { addComponent, removeComponent, set } from 'bitecs';
 import { describe, expect, test } from 'vitest';
-import { G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
 describe('a body whose locked axis is opened falls', () => {
   const ways: Record<string, (world: PhysicsWorld, body: number) => void> = {
@@ -200,5 +203,27 @@ describe.each([0.2, 2])('a floor that becomes one-way %s s after a box has lande
   test('lets it fall where that is below', () => {
     // A step passes before it falls, and semi-implicit Euler takes g t h/2 too long a way.
     expect(boxOn(Math.PI)).toBeCloseTo(0.5 - 0.5 * G, 0);
+  });
+});
+
+describe.each(['f32', 'f64'] as const)('a thrust of one step in %s', (precision) => {
+  // What wakes is what would gain 1 cm/s in a second; the others are common.
+  test.each([0.02, 1, 100])('of %d N gives a sleeping body its whole impulse', (force) => {
+    const world = rigidWorld({ precision, forces: [uniformGravity(), thrust()] });
+    const collider = { shape: box(1, 1), friction: 0 };
+    spawn(world, { position: { y: -0.5 }, collider: { shape: box(40, 1), friction: 0 } });
+    const body = spawn(world, { position: { y: 0.5 }, mass: 1, collider, thrust: {} });
+    run(world, 2);
+    expect(isAsleep(world, body)).toBe(true);
+    const { Thrust, Velocity } = world.components;
+    Thrust.x[body] = force;
+    step(world, DT);
+    Thrust.x[body] = 0;
+    // F Δt/m to the rounding of four sums.
+    const speed = force * DT;
+    const rounding = 8 * 2 ** (precision === 'f32' ? -24 : -53) * speed;
+    expect(Math.abs((Velocity.x[body] as number) - speed)).toBeLessThan(rounding);
+    step(world, DT);
+    expect(Math.abs((Velocity.x[body] as number) - speed)).toBeLessThan(rounding);
   });
 });

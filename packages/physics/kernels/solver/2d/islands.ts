@@ -30,17 +30,16 @@ import {
   HELD,
   TOUCHES,
   countStill,
+  feelsOtherForces,
   freeAcceleration,
   heldAcceleration,
   noteForces,
   restsFor,
-  watchSleepers,
 } from './still-bodies';
 
 // Ends a step: counts how long bodies have been still, and lets islands sleep.
 export function updateSleep(table: usize): void {
   const t = changetype<RigidTable>(table);
-  watchSleepers(t);
   if (t.sleepTime <= 0) return;
   if (!countStill(t)) return;
   joinIslands(t);
@@ -215,6 +214,17 @@ export function wakeIsland(t: RigidTable, row: i32): void {
     sleeper.stillFor = 0;
     at = sleeper.next;
   } while (at != row);
+}
+
+// Wakes the bodies on which other forces act than when they fell asleep. Returns whether anything woke.
+export function wakeForced(t: RigidTable): bool {
+  let any = false;
+  for (let row = 1; row < t.rows; row++) {
+    if ((flagsOf(t, row) & (ASLEEP | PART)) != ASLEEP || !feelsOtherForces(t, row)) continue;
+    wakeIsland(t, row);
+    any = true;
+  }
+  return any;
 }
 
 // Wakes what springs connect with something that moves. Returns whether anything woke.

@@ -13,7 +13,7 @@
 // nor is joined to something that does not move: it sleeps where V and forces are a thousandth of what others may have, so
 // that what drifts goes on, and wakes by as little.
 import { get } from '../../memory/columns';
-import { ASLEEP, LOCKED, PART, SLEEPLESS, TO_SLEEP, WAKES, flagsOf, poseOf, putFlags, stateOf, word } from './body';
+import { LOCKED, SLEEPLESS, TO_SLEEP, flagsOf, poseOf, stateOf, word } from './body';
 import { inverseMassX, inverseMassY, openAxes } from './motion-locks';
 import { pathOf } from './paths';
 import { RigidTable } from './rigid-table';
@@ -129,21 +129,17 @@ export function noteForces(t: RigidTable, row: i32, sleeper: Sleeper): void {
   sleeper.torque = torqueOn(t, row);
 }
 
-// A sleeping body on which other forces act than when it fell asleep wakes in the next step.
-export function watchSleepers(t: RigidTable): void {
-  for (let row = 1; row < t.rows; row++) {
-    const flags = flagsOf(t, row);
-    if ((flags & (ASLEEP | PART)) != ASLEEP) continue;
-    const sleeper = sleeperOf(t, row);
-    // What was put to sleep while it moved no longer feels the drag that it felt.
-    if (sleeper.isStopped != 0) {
-      sleeper.isStopped = 0;
-      noteForces(t, row, sleeper);
-      continue;
-    }
-    const x = (get(t.forceX, row) - sleeper.fx) * inverseMassX(t, row);
-    const y = (get(t.forceY, row) - sleeper.fy) * inverseMassY(t, row);
-    const turn = turnOf(t, row, torqueOn(t, row) - sleeper.torque);
-    if (sqrt<real>(x * x + y * y) + turn > sleeper.wakingAcceleration) putFlags(t, row, flags | WAKES);
+// Whether other forces act on a sleeping body than when it fell asleep, so that it wakes.
+export function feelsOtherForces(t: RigidTable, row: i32): bool {
+  const sleeper = sleeperOf(t, row);
+  // What was put to sleep while it moved no longer feels the drag that it felt.
+  if (sleeper.isStopped != 0) {
+    sleeper.isStopped = 0;
+    noteForces(t, row, sleeper);
+    return false;
   }
+  const x = (get(t.forceX, row) - sleeper.fx) * inverseMassX(t, row);
+  const y = (get(t.forceY, row) - sleeper.fy) * inverseMassY(t, row);
+  const turn = turnOf(t, row, torqueOn(t, row) - sleeper.torque);
+  return sqrt<real>(x * x + y * y) + turn > sleeper.wakingAcceleration;
 }

@@ -6,10 +6,9 @@ import { RigidTable } from '../../../solver/2d/rigid-table';
 import { PLANE, Shape } from '../../shapes/2d/shape';
 import { collideShapes } from './collide-shapes';
 import { Manifold, setPoses } from './manifold';
-import { passBy } from './pass-by';
 import { FORESEEN, RigidContact, pointOf } from './rigid-contact';
 import { ShapeMotion, motionOfA, motionOfB, move, stay } from './shape-motion';
-import { Sweep, timeOfImpact, turnRate } from './time-of-impact';
+import { Sweep, timeOfImpact } from './time-of-impact';
 
 // The distance at which a time of impact counts, m: the slop, so that a body that is put there has a contact.
 export const TARGET: real = 0.005;
@@ -18,10 +17,6 @@ export const TARGET: real = 0.005;
 // less than the least distance would be lost in rounding.
 const TARGET_PART: real = 0.025;
 const LEAST_TARGET: real = 0.0001;
-
-// What overlaps by this part of it at most may pass by: room for rounding, 10 µm. Boxes with restitution that passed with more would
-// overlap after the step, and gain energy.
-const SLACK_PART: real = 0.002;
 
 // The distance at which a time of impact counts for a body with this least extent, m.
 // @ts-ignore: decorator
@@ -125,23 +120,6 @@ function meet(t: RigidTable, contact: RigidContact, shapeA: Shape, shapeB: Shape
 function foreseeBoth(t: RigidTable, contact: RigidContact, a: ShapeMotion, b: ShapeMotion): void {
   foresee(t, contact.bodyA, contact.a, contact.a, a);
   foresee(t, contact.bodyB, contact.b, contact.a, b);
-}
-
-// Whether two outlines go past each other in this step, though the contact of now would hold them up.
-export function areToPass(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): bool {
-  if (shapeA.count < 2 || shapeB.count < 2 || (shapeA.isChained | shapeB.isChained) != 0) return false;
-  foreseeBoth(t, contact, motionOfA(sweep), motionOfB(sweep));
-  const x = sweep.endBx - sweep.endAx - (sweep.bx - sweep.ax);
-  const y = sweep.endBy - sweep.endAy - (sweep.by - sweep.ay);
-  const target = impactDistance(t, contact);
-  const slack = SLACK_PART * target;
-  const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
-  // What slides on a surface stays outside of it all the way, and yet rests on it.
-  if (near <= target && near + m.nx * x + m.ny * y > -slack) return false;
-  const turning =
-    turnRate(sweep.ac, sweep.as, sweep.endAc, sweep.endAs) * shapeA.extent +
-    turnRate(sweep.bc, sweep.bs, sweep.endBc, sweep.endBs) * shapeB.extent;
-  return passBy(m, shapeA, shapeB, x, y, turning - slack);
 }
 
 // Finds the contact at the fraction of the step at which the two meet.

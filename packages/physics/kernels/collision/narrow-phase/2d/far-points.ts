@@ -4,8 +4,9 @@
 import { LOCKED, flagsOf, poseOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape } from '../../shapes/2d/shape';
-import { areToPass, collideAhead, collideDiscsAhead, impactDistance, motionOf } from './collide-ahead';
+import { collideAhead, collideDiscsAhead, impactDistance, motionOf } from './collide-ahead';
 import { Manifold, dropPoint } from './manifold';
+import { passBy } from './pass-by';
 import { RigidContact } from './rigid-contact';
 
 // Shapes touch up to this distance, m: four times the slop of 5 mm.
@@ -45,12 +46,13 @@ export function reachOf(t: RigidTable, contact: RigidContact): real {
 // Leaves out the points that are further away than they may come in this step.
 export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): void {
   if (m.count == 0) return;
-  if (m.speculative > SPECULATIVE_DISTANCE && areToPass(t, contact, m, shapeA, shapeB)) {
+  const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
+  const isFast = m.speculative > SPECULATIVE_DISTANCE;
+  if (isFast && passBy(t, contact, m, shapeA, shapeB, near)) {
     m.count = 0;
     return;
   }
-  const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
-  const isAhead = m.speculative > SPECULATIVE_DISTANCE && near > impactDistance(t, contact);
+  const isAhead = isFast && near > impactDistance(t, contact);
   if (isAhead) collideAhead(t, contact, m, shapeA, shapeB);
   if (m.count < 2) return;
   const isSecondNear = m.separation1 < m.separation0;

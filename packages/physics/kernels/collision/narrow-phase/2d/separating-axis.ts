@@ -13,10 +13,7 @@ export let separatingEdge: i32 = 0;
 export function greatestSeparation(first: Shape, second: Shape, pose: RelativePose, limit: real): void {
   separation = -(<real>Infinity);
   for (let i = 0; i < first.count; i++) {
-    const nx = normalX(first, i);
-    const ny = normalY(first, i);
-    const toCentre = nx * (pose.x - vertexX(first, i)) + ny * (pose.y - vertexY(first, i));
-    const distance = toCentre + leastProjection(second, pose.c * nx + pose.s * ny, pose.c * ny - pose.s * nx);
+    const distance = distanceFromEdge(first, i, second, pose);
     if (distance <= separation) continue;
     separation = distance;
     separatingEdge = i;
@@ -24,9 +21,18 @@ export function greatestSeparation(first: Shape, second: Shape, pose: RelativePo
   }
 }
 
+// The signed distance of `second` from the line through an edge of `first`.
+// @ts-ignore: decorator
+@inline export function distanceFromEdge(first: Shape, edge: i32, second: Shape, pose: RelativePose): real {
+  const nx = normalX(first, edge);
+  const ny = normalY(first, edge);
+  const toCentre = nx * (pose.x - vertexX(first, edge)) + ny * (pose.y - vertexY(first, edge));
+  return toCentre + leastProjection(second, pose.c * nx + pose.s * ny, pose.c * ny - pose.s * nx);
+}
+
 // How far the vertices of a shape reach along a direction of its frame, at least.
 // @ts-ignore: decorator
-@inline export function leastProjection(shape: Shape, x: real, y: real): real {
+@inline function leastProjection(shape: Shape, x: real, y: real): real {
   let least = x * vertexX(shape, 0) + y * vertexY(shape, 0);
   for (let j = 1; j < shape.count; j++) least = min<real>(least, x * vertexX(shape, j) + y * vertexY(shape, j));
   return least;

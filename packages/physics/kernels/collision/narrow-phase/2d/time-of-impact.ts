@@ -83,7 +83,7 @@ export function timeOfImpact(sweep: Sweep, a: Shape, b: Shape): void {
 // The greatest angular speed, radians a step, of a rotation between two angles whose cosine and sine are interpolated: 2
 // tan(angle/2), in the middle.
 // @ts-ignore: decorator
-@inline export function turnRate(c: real, s: real, endC: real, endS: real): real {
+@inline function turnRate(c: real, s: real, endC: real, endS: real): real {
   const cosine = c * endC + s * endS;
   const sine = abs<real>(c * endS - s * endC);
   return (<real>2 * sine) / max<real>(1 + cosine, <real>1e-6);

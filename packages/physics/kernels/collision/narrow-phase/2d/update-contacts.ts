@@ -30,7 +30,7 @@ import {
 } from '../../../solver/2d/body';
 import { listAwake } from '../../../solver/2d/gather-bodies';
 import { clearEvents, noteEnd, noteSensorPairEnd } from '../../../solver/2d/contact-events';
-import { wakeIsland, wakeSprung } from '../../../solver/2d/islands';
+import { wakeForced, wakeIsland, wakeSprung } from '../../../solver/2d/islands';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
@@ -72,11 +72,11 @@ const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16)
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
-// Wakes the islands that something awake touches or pulls at by a spring, before contacts are updated.
-export function wakeTouched(table: usize): void {
+// Wakes the islands that other forces act on, or that something awake touches or pulls at by a spring, before contacts are updated.
+export function wakeIslands(table: usize): void {
   const t = changetype<RigidTable>(table);
   if (t.asleepCount == 0) return;
-  let any = false;
+  let any = wakeForced(t);
   for (let i = 0; i < t.contactCount; i++) {
     const contact = contactAt(t, word(t.order, i));
     const flagsA = flagsOf(t, contact.a);
