@@ -13,7 +13,7 @@ import {
   uniformGravity,
   xpbd,
 } from '@principia/physics';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { allocate } from './arena.ts';
 
 function errorOf(act: () => void): PhysicsError {
@@ -38,6 +38,25 @@ const usedBy = (world: PhysicsWorld) => {
   const { top, staggered } = world.internal.arena;
   return { top, staggered };
 };
+
+describe('a world that gets no memory', () => {
+  it('says whether it is too large, or others hold what there is', () => {
+    const memory = vi.spyOn(WebAssembly, 'Memory').mockImplementation(() => {
+      throw new RangeError('could not allocate memory');
+    });
+    const hintFor = (capacity: number) => {
+      const error = errorOf(() => createPhysicsWorld({ capacity }));
+      expect(error.code).toBe('E_CAPACITY');
+      return error.hint;
+    };
+    try {
+      expect(hintFor(100)).toContain('destroy worlds');
+      expect(hintFor(16e6)).toContain('at most 4096 MiB');
+    } finally {
+      memory.mockRestore();
+    }
+  });
+});
 
 describe('an integrator that does not fit', () => {
   it('leaves the memory to others, however often it is tried', () => {

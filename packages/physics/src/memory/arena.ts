@@ -1,6 +1,8 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 
 const PAGE = 65536;
+/** Pages of 32-bit addresses. */
+const MAX_PAGES = 65536;
 
 /**
  * The world's block of memory with a bump allocator. Memory is never freed: a world or feature allocates at creation,
@@ -30,7 +32,10 @@ export function createArena(bytes: number, reserved: number, arenaBytes: number)
   } catch (cause) {
     const error = new PhysicsError('E_CAPACITY', `cannot allocate ${(bytes / 2 ** 20).toFixed(0)} MiB of memory.`, {
       field: 'capacity',
-      hint: 'A world can have at most 4096 MiB: lower `capacity`, or use precision "f32".',
+      hint:
+        pages > MAX_PAGES
+          ? 'A world can have at most 4096 MiB: lower `capacity`, or use precision "f32".'
+          : 'The machine has no more: lower `capacity`, use precision "f32", or destroy worlds that are no longer needed; a page has room for some thousand.',
     });
     error.cause = cause;
     throw error;
