@@ -42,4 +42,38 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       before = total;
     }
   });
+
+  it.each([
+    ['nothing', {}],
+    ['the angle', { angle: true }],
+    ['x', { x: true }],
+    ['x and the angle', { x: true, angle: true }],
+  ])('a disc with e = 1 of which %s is locked bounces for a minute as one that is free', (_, motionLocks) => {
+    const bounce = (locks?: object) => {
+      const world = rigidWorld({ precision });
+      spawn(world, { position: { y: -1 }, collider: { shape: box(20, 2), restitution: 1, friction: 0 } });
+      const collider = { radius: 0.5, density: 1, restitution: 1, friction: 0 };
+      const disc = spawn(world, { position: { y: 2.5 }, collider, ...(locks ? { motionLocks: locks } : {}) });
+      run(world, 60);
+      return [world.components.Position.y[disc], world.components.Velocity.y[disc]];
+    };
+    expect(bounce(motionLocks)).toEqual(bounce());
+  });
+
+  it.each([0, 1])('what falls on a slope stays where x is locked, with e = %d', (restitution) => {
+    const world = rigidWorld({ precision });
+    spawn(world, { position: {}, rotation: Math.PI / 4, collider: { shape: box(60, 1), restitution } });
+    const motionLocks = { x: true, angle: true };
+    const bodies = [{ radius: 0.5 }, { shape: box(0.8, 0.8) }].map((collider, i) => {
+      // Along the slope, at the same height above it.
+      const at = { x: 6 * i, y: 3 + 6 * i };
+      return spawn(world, { position: at, motionLocks, collider: { ...collider, density: 10, restitution } });
+    });
+    run(world, 20);
+    bodies.forEach((body, i) => {
+      expect(world.components.Position.x[body]).toBe(6 * i);
+      // Of a disc that rests the centre is √2 R above the slope, whose middle line is at y = x, and its surface √½ m above that.
+      expect(world.components.Position.y[body]).toBeGreaterThan(6 * i + Math.SQRT1_2 + Math.SQRT1_2 - 0.01);
+    });
+  });
 });

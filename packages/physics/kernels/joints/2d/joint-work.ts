@@ -86,6 +86,9 @@ export class JointWork {
   localAy: f64;
   localBx: f64;
   localBy: f64;
+  // Inverse masses along locked axes as the locked directions see them (prepare-joints.ts), 1/kg.
+  railX: f64;
+  railY: f64;
 }
 
 // Of a hinge when the step began: anchors from the centres of the parent and the child, in the axes of the world, and from the

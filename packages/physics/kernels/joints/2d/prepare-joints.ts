@@ -14,6 +14,7 @@ import { JointWork, MOTOR_ROW, PLAIN, placeAt, rowOf, startAt, workAt } from './
 import { layOutJoints } from './lay-out-joints';
 import { listActive } from './list-active';
 import { measureJoint } from './measure-joints';
+import { RAIL_MASS } from './start-joints';
 import { wakeJoined } from './wake-joints';
 import { stiffenByLocks } from './watch-joints';
 
@@ -60,6 +61,11 @@ function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   work.massAy = <f64>inverseMassY(rigid, work.rowA);
   work.massBx = <f64>inverseMassX(rigid, work.rowB);
   work.massBy = <f64>inverseMassY(rigid, work.rowB);
+  // A direction across which nothing can move would take an impulse without bound, and its rounding throw a body along its free axis.
+  const ofA = <f64>poseOf(rigid, work.rowA).inverseMass;
+  const ofB = <f64>poseOf(rigid, work.rowB).inverseMass;
+  work.railX = (ofA - work.massAx + (ofB - work.massBx)) / RAIL_MASS;
+  work.railY = (ofA - work.massAy + (ofB - work.massBy)) / RAIL_MASS;
   work.largestTurn = 0;
   keepVelocity(t, rigid, work.a);
   keepVelocity(t, rigid, work.b);

@@ -26,6 +26,12 @@ import { COMPLIANCE } from './soft-impulse';
 // joint with one is as much nearer to rigid.
 const MOTOR_PART: f64 = 1e-4;
 
+// What a unit impulse along one row changes along another, as if locked axes gave way a little.
+// @ts-ignore: decorator
+@inline function couplingOnRails(work: JointWork, p: JointRow, q: JointRow): f64 {
+  return coupling(work, p, q) + work.railX * (p.x * q.x) + work.railY * (p.y * q.y);
+}
+
 // The rows of a joint with fewer locked directions are zero, so three are solved of every joint: without loops, that is
 // faster than two or one.
 export function factorJoint(t: JointTable, at: JointPlace, work: JointWork): void {
@@ -34,12 +40,12 @@ export function factorJoint(t: JointTable, at: JointPlace, work: JointWork): voi
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
   const r2 = rowOf(work, 2);
-  work.i00 = share * coupling(work, r0, r0);
-  work.i01 = share * coupling(work, r0, r1);
-  work.i02 = share * coupling(work, r0, r2);
-  work.i11 = share * coupling(work, r1, r1);
-  work.i12 = share * coupling(work, r1, r2);
-  work.i22 = share * coupling(work, r2, r2);
+  work.i00 = share * couplingOnRails(work, r0, r0);
+  work.i01 = share * couplingOnRails(work, r0, r1);
+  work.i02 = share * couplingOnRails(work, r0, r2);
+  work.i11 = share * couplingOnRails(work, r1, r1);
+  work.i12 = share * couplingOnRails(work, r1, r2);
+  work.i22 = share * couplingOnRails(work, r2, r2);
   if (at.below != 0) {
     const mass = massBeside(t, at.below);
     addOwnMass(mass, changetype<ArticulatedBody>(at.below));

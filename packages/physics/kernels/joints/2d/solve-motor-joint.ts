@@ -42,6 +42,9 @@ function turnTo(work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, 
   applyAlong(work, a, b, row, impulse);
 }
 
+// A matrix whose determinant is smaller, in parts of the square of its trace, has rank 1 but for rounding.
+const SINGULAR: f64 = 1e-12;
+
 // Both directions at once, so that the force is limited by its length.
 function pullTo(work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, most: f64): void {
   const x = rowOf(work, 0);
@@ -49,14 +52,17 @@ function pullTo(work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, 
   const kxx = coupling(work, x, x);
   const kxy = coupling(work, x, y);
   const kyy = coupling(work, y, y);
-  const determinant = kxx * kyy - kxy * kxy;
-  if (!(determinant > 0)) return;
+  const trace = kxx + kyy;
+  if (!(trace > 0)) return;
   const vx = speedAlong(a, b, x) + softness.biasRate * x.error;
   const vy = speedAlong(a, b, y) + softness.biasRate * y.error;
-  const scale = softness.massScale / determinant;
+  const determinant = kxx * kyy - kxy * kxy;
+  // Where the point moves along one line only, as that of a body on a rail, by the pseudo-inverse K/(tr K)² of a matrix of rank 1.
+  const isLine = determinant <= SINGULAR * (trace * trace);
+  const scale = softness.massScale / (isLine ? trace * trace : determinant);
   const keep = 1 - softness.impulseScale;
-  let sumX = keep * to.lock0 - scale * (kyy * vx - kxy * vy);
-  let sumY = keep * to.lock1 - scale * (kxx * vy - kxy * vx);
+  let sumX = keep * to.lock0 - scale * (isLine ? kxx * vx + kxy * vy : kyy * vx - kxy * vy);
+  let sumY = keep * to.lock1 - scale * (isLine ? kyy * vy + kxy * vx : kxx * vy - kxy * vx);
   const length = sqrt<f64>(sumX * sumX + sumY * sumY);
   if (length > most) {
     sumX *= most / length;

@@ -48,7 +48,7 @@ export function clearMasses(t: JointTable, rigid: RigidTable): void {
 const LOCKED_MASS: f64 = 1e8;
 // The same for a body with one free axis. Joints that pull across that axis fling the body along it, the faster the heavier the
 // locked axis is.
-const RAIL_MASS: f64 = 1e4;
+export const RAIL_MASS: f64 = 1e4;
 
 // Bodies of trees get the masses of their locked axes, to which joints add what hangs below them.
 function weighLocked(t: JointTable, rigid: RigidTable): void {

@@ -23,6 +23,7 @@ import {
 } from './body';
 import { SAFE_PATH, endsAlong, findImpact, impact, isOnRail, isWheel } from './first-impact';
 import { turnState } from './integrate-bodies';
+import { inverseMassAlong, inverseMassX, inverseMassY } from './motion-locks';
 import { passSensors } from './pass-sensors';
 import { bodyOf, turnTo } from './parts';
 import { longestPath, pathOf } from './paths';
@@ -32,6 +33,9 @@ import { stopOf } from './sweep-shapes';
 
 // A body that moves by more than this part of its least extent may pass through something thin.
 const SAFE_PART: real = 0.5;
+
+// Part of its inverse mass that a body must have along a surface to go on along it.
+const OPEN: real = 0.999;
 
 // In place of the fraction at which a bullet is stopped, until that is known.
 const PENDING: real = 2;
@@ -105,8 +109,10 @@ function stopAt(t: RigidTable, row: i32, fraction: real, reach: real): real {
 }
 
 // Moves a body along the surface from where it meets it, if there is some way to go. It does not turn any further. Where the surface
-// is no longer the same there, as on a round one, the body stays: the next step finds the normal of the impact.
+// is no longer the same there, as on a round one, the body stays: the next step finds the normal of the impact. So does one that is locked
+// along an axis, but for a surface along the other.
 function glide(t: RigidTable, row: i32, fraction: real): bool {
+  if (inverseMassAlong(t, row, impact.ny, -impact.nx) < OPEN * poseOf(t, row).inverseMass) return false;
   const state = stateOf(t, row);
   const left = <real>1 - fraction;
   const along = left * (state.dx * impact.ny - state.dy * impact.nx);
@@ -115,8 +121,7 @@ function glide(t: RigidTable, row: i32, fraction: real): bool {
   const dy = state.dy;
   const turned = state.turned;
   moveBack(t, row, fraction);
-  state.dx += along * impact.ny;
-  state.dy -= along * impact.nx;
+  moveBy(t, row, along * impact.ny, -along * impact.nx);
   if (endsAlong(t, row)) return true;
   state.dx = dx;
   state.dy = dy;
@@ -141,9 +146,15 @@ function carry(t: RigidTable, row: i32, fraction: real): bool {
   turnTo(<f64>(part * by.turned));
   const c = <real>sineCosine.cosine;
   const s = <real>sineCosine.sine;
-  state.dx += dx + (c * x - s * y - x);
-  state.dy += dy + (s * x + c * y - y);
+  moveBy(t, row, dx + (c * x - s * y - x), dy + (s * x + c * y - y));
   return true;
+}
+
+// Adds to the way of a body, but along locked axes.
+function moveBy(t: RigidTable, row: i32, x: real, y: real): void {
+  const state = stateOf(t, row);
+  if (inverseMassX(t, row) > 0) state.dx += x;
+  if (inverseMassY(t, row) > 0) state.dy += y;
 }
 
 // The velocity stays: the contact of the next step takes it.

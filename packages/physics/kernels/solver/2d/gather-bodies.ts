@@ -194,6 +194,11 @@ function noteOneWay(t: RigidTable, row: i32): void {
   if ((flags & MOVES) != 0) t.movingTreeValid = 0;
 }
 
+// @ts-ignore: decorator
+@inline function isLocked(t: RigidTable, row: i32): bool {
+  return (word(t.lockX, row) | word(t.lockY, row) | word(t.lockAngle, row)) != 0;
+}
+
 const KINDS: u32 = MOVES | STATIC | MAY_MOVE | COLLIDES | PART | SENSOR | WALL;
 
 // @ts-ignore: decorator
@@ -205,7 +210,7 @@ const KINDS: u32 = MOVES | STATIC | MAY_MOVE | COLLIDES | PART | SENSOR | WALL;
   const kind = collides | ((bits & t.neverSleepBit) != 0 ? SLEEPLESS : 0);
   if ((bits & t.kinematicBit) != 0) return KINEMATIC | kind;
   if ((bits & t.dynamicBits) == t.dynamicBits && get(c.mass, row) > 0) {
-    return DYNAMIC | kind | ((bits & t.lockBit) != 0 ? LOCKED : 0);
+    return DYNAMIC | kind | ((bits & t.lockBit) != 0 && isLocked(t, row) ? LOCKED : 0);
   }
   // Without a shape it is still what a joint may hang from.
   if (isDriven(c, row)) return KINEMATIC | kind;

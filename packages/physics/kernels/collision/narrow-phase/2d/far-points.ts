@@ -1,7 +1,9 @@
 // How far contacts see ahead: four slops, and further where bodies move further in a step, so that contacts stop them at the
 // surface, together with joints and other contacts. What moves that far touches only what it meets within the step when it goes
 // on as it does: or what passes a corner would be held up by it.
-import { LOCKED, flagsOf, poseOf } from '../../../solver/2d/body';
+import { columns } from '../../../memory/columns';
+import { LOCKED, flagsOf, poseOf, word } from '../../../solver/2d/body';
+import { openAxes } from '../../../solver/2d/motion-locks';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape } from '../../shapes/2d/shape';
 import { collideAhead, collideDiscsAhead, impactDistance, motionOf } from './collide-ahead';
@@ -12,10 +14,10 @@ import { RigidContact } from './rigid-contact';
 // Shapes touch up to this distance, m: four times the slop of 5 mm.
 export const SPECULATIVE_DISTANCE: real = 0.02;
 
-// The distance up to which two shapes may touch: further than four slops if they move so far against each other. What is locked
-// along an axis may have to turn at any speed to get out of the way in time: it gives way softly instead.
+// The distance up to which two shapes may touch: further than four slops if they move so far against each other.
 export function reachOf(t: RigidTable, contact: RigidContact): real {
-  if (((flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB)) & LOCKED) != 0) return SPECULATIVE_DISTANCE;
+  if (mayHaveToTurn(t, contact.bodyA, contact.a) || mayHaveToTurn(t, contact.bodyB, contact.b))
+    return SPECULATIVE_DISTANCE;
   const stateA = motionOf(t, contact.bodyA);
   const stateB = motionOf(t, contact.bodyB);
   const a = poseOf(t, contact.bodyA);
@@ -29,6 +31,13 @@ export function reachOf(t: RigidTable, contact: RigidContact): real {
   const turn = abs<real>(stateB.w - stateA.w) * min<real>(a.extent, b.extent);
   const path = <real>t.dt * (sqrt<real>(vx * vx + vy * vy) + turn);
   return path > SPECULATIVE_DISTANCE ? SPECULATIVE_DISTANCE + path : SPECULATIVE_DISTANCE;
+}
+
+// What is locked along an axis may have to turn at any speed to get out of the way in time, if it is no disc: it gives way softly instead.
+function mayHaveToTurn(t: RigidTable, body: i32, row: i32): bool {
+  if ((flagsOf(t, body) & LOCKED) == 0 || openAxes(t, body) == 2) return false;
+  const isDisc = body == row && word(columns().shape, row) == 0;
+  return poseOf(t, body).inverseInertia > 0 && !isDisc;
 }
 
 // Finds the contact of two discs that are apart and come nearer. Returns false where it is that of now.
