@@ -13,6 +13,7 @@
 
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkKeys } from '../errors/validate.ts';
+import { axial } from '../laws/axial.ts';
 import { constant, Scalar, select, type Vector, vectorOf } from '../laws/expression.ts';
 import { axialVectorOverTime, sourcesOf } from '../laws/parameter.ts';
 import type { VectorOverTime } from '../laws/time-vector.ts';
@@ -57,7 +58,7 @@ export function boris(options: BorisOptions): Integrator {
       const middle = position.add(velocity.mul(half));
       const kicked = kick(middle, velocity, 1 / 2, half);
       const time = new Scalar('time', []).add(half);
-      const b = fieldAt === undefined ? (uniform as Vector) : vectorOf(fieldAt(middle, time), 'boris: fieldAt');
+      const b = fieldAt === undefined ? (uniform as Vector) : axial(vectorOf(fieldAt(middle, time), 'boris: fieldAt'));
       const gyration = select(mass.greater(0), charge.div(mass).mul(half), 0);
       const after = rotate(velocity.add(kicked), b.mul(gyration)).add(kicked);
       return { position: middle.add(after.mul(half)), velocity: after };

@@ -199,7 +199,7 @@ export function select(
   return new Scalar('select', [condition, scalarOf(whenTrue, 'select'), scalarOf(whenFalse, 'select')]);
 }
 
-/** A vector of three components; in 2D z is dropped, except in the `torque` of a law. */
+/** A vector of three components; in 2D z is dropped, except in the `torque` of a law and the field of `boris`. */
 export function vec3(x: ScalarInput, y: ScalarInput, z: ScalarInput = 0): Vector {
   return new Vector('vec3', [scalarOf(x, 'vec3'), scalarOf(y, 'vec3'), scalarOf(z, 'vec3')]);
 }

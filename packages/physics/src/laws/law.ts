@@ -3,6 +3,7 @@ import type { ComponentName } from '../components/all.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, isRecord, mustBe } from '../errors/validate.ts';
 import type { Law, Parameter, PhysicsWorld } from '../world/types.ts';
+import { axial } from './axial.ts';
 import {
   type BodySymbols,
   bodySymbols,
@@ -12,7 +13,7 @@ import {
   rejectUnknown,
 } from './body-symbols.ts';
 import { checkLaw } from './check-law.ts';
-import { Expression, kindOf, type Scalar, Vector } from './expression.ts';
+import { Expression, kindOf, type Scalar, type Vector } from './expression.ts';
 import { type ParameterSymbols, type Parameters, symbolOf } from './parameter.ts';
 import { structureOf } from './structure.ts';
 import { Table, type TableParameter } from './table.ts';
@@ -107,13 +108,6 @@ export function recordLaw(
   };
   checkLaw(law);
   return law;
-}
-
-/** A torque has a z in two dimensions, and nothing else: in what it is made of, other than products of vectors, `vec3` keeps it. */
-function axial<V extends Expression | undefined>(torque: V): V {
-  if (torque?.shape !== 'vector' || torque.op === 'cross') return torque;
-  const { op, args, data } = torque;
-  return new Vector(op === 'vec3' ? 'axial3' : op, args.map(axial), data) as Expression as V;
 }
 
 /** Names of columns: the name of the component if it has one field, otherwise followed by the field. */

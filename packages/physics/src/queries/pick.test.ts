@@ -1,7 +1,12 @@
 import { expect, test } from 'vitest';
-import { despawn, spawn, step } from '../index.ts';
+import { box, despawn, type PhysicsWorld, rigidBodies, spawn, spawnCompound, step } from '../index.ts';
 import { createPhysicsWorld, destroyWorld } from '../world/create-world.ts';
 import { bodyAt } from './pick.ts';
+
+const centreOf = ({ components: { Position } }: PhysicsWorld, id: number) => ({
+  x: Position.x[id] as number,
+  y: Position.y[id] as number,
+});
 
 test('picks the nearest of the bodies that hold the point, before any step and after', () => {
   const world = createPhysicsWorld();
@@ -48,6 +53,23 @@ test('sensors, layers and bodies can be left out', () => {
   expect(at({ ignore: crate })).toBe(drawn);
   expect(at({ ignore: [crate, drawn] })).toBe(0);
   expect(() => at({ mask: -1 })).toThrow(/E_RANGE/);
+});
+
+test('of a compound body the parts are picked, and nothing in its hollow', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies });
+  const { body, parts } = spawnCompound(world, {
+    parts: [
+      { shape: box(4, 0.2), y: -1, density: 1 },
+      { shape: box(0.2, 4), x: -2, y: 1, density: 1 },
+      { shape: box(0.2, 4), x: 2, y: 1, density: 1 },
+    ],
+  });
+  const { x, y } = centreOf(world, body);
+  expect(bodyAt(world, { x, y })).toBe(0);
+  expect(bodyAt(world, { x, y }, { margin: 0.3 })).toBe(0);
+  // The bottom is 1.33 m below the centre of mass, of three bars of the same mass at y = -1, 1 and 1; the sides are 2 m away, and their
+  // centres further than its own.
+  expect(bodyAt(world, { x, y }, { margin: 2 })).toBe(parts[0]);
 });
 
 test('rejects invalid points and margins, and destroyed worlds', () => {

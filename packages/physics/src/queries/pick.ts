@@ -1,3 +1,4 @@
+import { partsOf } from '../bodies/parts.ts';
 import { distanceToShape } from '../collision/shapes/2d/distance-to-shape.ts';
 import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt } from '../collision/shapes/shape-pool.ts';
@@ -44,8 +45,10 @@ export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOpt
     const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
     if (!(distance < nearest) || !isSeen(world, id, filter)) continue;
     const shape = Collider.shape[id] > 0 ? shapeAt(world, Collider.shape[id]) : undefined;
-    const reach = Math.max(shape?.extent ?? Collider.radius[id], Appearance.size[id]) + margin;
-    if (distance <= reach && isNearShape(world, id, shape, -dx, -dy, margin)) {
+    const size = Math.max(shape?.extent ?? Collider.radius[id], Appearance.size[id]);
+    if (distance <= size + margin && isNearShape(world, id, shape, -dx, -dy, margin)) {
+      // Of a compound body the parts are there to be picked.
+      if (size === 0 && partsOf(world, id).length > 0) continue;
       nearest = distance;
       found = id;
     }
