@@ -248,8 +248,9 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   }
   contact.dx = m.bx;
   contact.dy = m.by;
-  // A predicted manifold is computed again in the next step.
-  if ((contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
+  // A predicted manifold is computed again in the next step, and so is one that was left out because of how fast the two were.
+  const isPredicted = (contact.flags & FORESEEN) != 0 || (m.count == 0 && m.speculative > SPECULATIVE_DISTANCE);
+  if (isPredicted) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
   contact.flags &= ~(EDGE_OF_A | EDGE_OF_B | ON_CHAIN);
   if (m.count == 1) contact.flags |= m.edge;
