@@ -30,8 +30,8 @@ import {
   HELD,
   TOUCHES,
   countStill,
-  feelsOtherForces,
   freeAcceleration,
+  haveForcesChanged,
   heldAcceleration,
   noteForces,
   restsFor,
@@ -220,7 +220,7 @@ export function wakeIsland(t: RigidTable, row: i32): void {
 export function wakeForced(t: RigidTable): bool {
   let any = false;
   for (let row = 1; row < t.rows; row++) {
-    if ((flagsOf(t, row) & (ASLEEP | PART)) != ASLEEP || !feelsOtherForces(t, row)) continue;
+    if ((flagsOf(t, row) & (ASLEEP | PART)) != ASLEEP || !haveForcesChanged(t, row)) continue;
     wakeIsland(t, row);
     any = true;
   }

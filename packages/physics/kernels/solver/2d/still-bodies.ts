@@ -129,10 +129,10 @@ export function noteForces(t: RigidTable, row: i32, sleeper: Sleeper): void {
   sleeper.torque = torqueOn(t, row);
 }
 
-// Whether other forces act on a sleeping body than when it fell asleep, so that it wakes.
-export function feelsOtherForces(t: RigidTable, row: i32): bool {
+// Whether the forces on a sleeping body are others than when it fell asleep, so that it wakes.
+export function haveForcesChanged(t: RigidTable, row: i32): bool {
   const sleeper = sleeperOf(t, row);
-  // What was put to sleep while it moved no longer feels the drag that it felt.
+  // There is no drag any more on what was put to sleep while it moved.
   if (sleeper.isStopped != 0) {
     sleeper.isStopped = 0;
     noteForces(t, row, sleeper);

@@ -56,13 +56,11 @@ function mayHaveToTurn(t: RigidTable, body: i32, row: i32): bool {
 export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): void {
   if (m.count == 0) return;
   const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
-  const isFast = m.speculative > SPECULATIVE_DISTANCE;
-  if (isFast && passBy(t, contact, m, shapeA, shapeB, near)) {
-    m.count = 0;
-    return;
+  if (m.speculative > SPECULATIVE_DISTANCE) {
+    const target = impactDistance(t, contact);
+    if (passBy(t, contact, m, shapeA, shapeB, near, target)) m.count = 0;
+    else if (near > target) collideAhead(t, contact, m, shapeA, shapeB);
   }
-  const isAhead = isFast && near > impactDistance(t, contact);
-  if (isAhead) collideAhead(t, contact, m, shapeA, shapeB);
   if (m.count < 2) return;
   const isSecondNear = m.separation1 < m.separation0;
   const gap = (isSecondNear ? m.separation0 : m.separation1) - SPECULATIVE_DISTANCE;

@@ -6,7 +6,7 @@
 import { BodyState, poseOf } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape, normalX, normalY } from '../../shapes/2d/shape';
-import { impactDistance, motionOf } from './collide-ahead';
+import { motionOf } from './collide-ahead';
 import { Manifold } from './manifold';
 import { RelativePose, invert, poseOfB } from './relative-pose';
 import { RigidContact } from './rigid-contact';
@@ -19,16 +19,23 @@ const SLACK_PART: real = 0.002;
 const bInA = changetype<RelativePose>(memory.data(offsetof<RelativePose>() + 8, 8));
 const aInB = changetype<RelativePose>(memory.data(offsetof<RelativePose>() + 8, 8));
 
-// The manifold is that of now, and its nearest point is `near` away.
-export function passBy(t: RigidTable, contact: RigidContact, m: Manifold, a: Shape, b: Shape, near: real): bool {
+// The manifold is that of now, its nearest point is `near` away, and an impact counts at the distance `target`.
+export function passBy(
+  t: RigidTable,
+  contact: RigidContact,
+  m: Manifold,
+  a: Shape,
+  b: Shape,
+  near: real,
+  target: real,
+): bool {
   if (a.count < 2 || b.count < 2 || (a.isChained | b.isChained) != 0) return false;
   const stateA = motionOf(t, contact.bodyA);
   const stateB = motionOf(t, contact.bodyB);
   const dt = <real>t.dt;
   // How the centre of b moves beside that of a.
-  const x = dt * (speedX(t, stateB, contact.bodyB, contact.b) - speedX(t, stateA, contact.bodyA, contact.a));
-  const y = dt * (speedY(t, stateB, contact.bodyB, contact.b) - speedY(t, stateA, contact.bodyA, contact.a));
-  const target = impactDistance(t, contact);
+  const x = dt * (velocityX(t, stateB, contact.bodyB, contact.b) - velocityX(t, stateA, contact.bodyA, contact.a));
+  const y = dt * (velocityY(t, stateB, contact.bodyB, contact.b) - velocityY(t, stateA, contact.bodyA, contact.a));
   const slack = SLACK_PART * target;
   // What slides on a surface stays outside of it all the way, and yet rests on it.
   if (near <= target && near + m.nx * x + m.ny * y > -slack) return false;
@@ -42,12 +49,12 @@ export function passBy(t: RigidTable, contact: RigidContact, m: Manifold, a: Sha
 
 // The velocity of the centre of a shape, which is in row `row`.
 // @ts-ignore: decorator
-@inline function speedX(t: RigidTable, state: BodyState, body: i32, row: i32): real {
+@inline function velocityX(t: RigidTable, state: BodyState, body: i32, row: i32): real {
   return state.vx - state.w * (poseOf(t, row).y - poseOf(t, body).y);
 }
 
 // @ts-ignore: decorator
-@inline function speedY(t: RigidTable, state: BodyState, body: i32, row: i32): real {
+@inline function velocityY(t: RigidTable, state: BodyState, body: i32, row: i32): real {
   return state.vy + state.w * (poseOf(t, row).x - poseOf(t, body).x);
 }
 
