@@ -144,13 +144,15 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       spawn(world, { position, velocity, mass: 1, collider: { shape, restitution: 1, friction: 0 } });
     }
     const start = energy(world).kinetic;
-    let before = start;
+    let [before, gained] = [start, 0];
     for (let i = 0; i < 600; i++) {
       step(world, DT);
       const { kinetic } = energy(world);
-      expect(kinetic - before).toBeLessThan(1e-4 * start);
+      gained += Math.max(0, kinetic - before);
       before = kinetic;
     }
+    // A tenth of what one of the 196 bodies has, in some ten thousand impacts.
+    expect(gained).toBeLessThan((0.1 * start) / 196);
     // Impacts below 1 cm/s do not bounce.
     expect(before / start).toBeGreaterThan(0.995);
   });

@@ -3,7 +3,14 @@ import { LANES, at as laneOffset } from '../../memory/lanes';
 import { clearRecord } from '../../memory/records';
 import { impactDistance } from '../../collision/narrow-phase/2d/collide-ahead';
 import { EDGE_OF_A, EDGE_OF_B } from '../../collision/narrow-phase/2d/manifold';
-import { FAST_POINT, FORESEEN, RigidContact, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import {
+  ContactPoint,
+  FAST_POINT,
+  FORESEEN,
+  RigidContact,
+  contactAt,
+  pointOf,
+} from '../../collision/narrow-phase/2d/rigid-contact';
 import { roundingOf } from '../../collision/shapes/2d/shape-pool';
 import { BodyPose, DYNAMIC, LOCKED, MOVES, ROUND, WALL, flagsOf, poseOf, putWord, stateOf, word } from './body';
 import { layOutBlocks, takeLane } from './color-contacts';
@@ -25,6 +32,9 @@ const TOO_HEAVY: real = 2000;
 // Bodies that are locked along a direction get out of each other's way by turning or by moving aside. Where that hardly helps it
 // would take any speed: they yield at least by this part of what they do where it helps most.
 const YIELD: real = 0.01;
+
+// A speed is that at which a body comes to a surface in a sub-step if it is so at most, times what is left to it: room for rounding.
+const REST: real = 1.01;
 
 export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
@@ -206,25 +216,41 @@ function leastInverseMass(t: RigidTable, contact: RigidContact, a: BodyPose, b: 
 export function storeImpulses(table: usize): void {
   const t = changetype<RigidTable>(table);
   layOutBlocks(t);
+  const weight = <real>t.impulseWeight;
   for (let i = 0; i < t.touchingCount; i++) {
     const place = takeLane(t, word(t.touching, 2 * i + 1));
     const lane = block.blockOf(t, place / LANES) + laneOffset(place & (LANES - 1));
-    storeContact(contactAt(t, word(t.touching, 2 * i)), lane, <real>t.impulseWeight, -(<real>t.hitSpeed));
+    storeContact(t, contactAt(t, word(t.touching, 2 * i)), lane, weight, -(<real>t.hitSpeed));
   }
 }
 
 // @ts-ignore: decorator
-@inline function storeContact(contact: RigidContact, lane: usize, weight: real, hitSpeed: real): void {
+@inline function storeContact(
+  t: RigidTable,
+  contact: RigidContact,
+  lane: usize,
+  weight: real,
+  hitSpeed: real,
+): void {
   contact.rollingImpulse = blend(contact.rollingImpulse, load<real>(lane, block.ROLLING_IMPULSE), weight);
   for (let p = 0; p < contact.count; p++) {
     const point = pointOf(contact, p);
     const from = lane + block.POINTS + <usize>p * block.POINT;
+    point.normalSpeed = load<real>(from, block.NORMAL_SPEED);
+    if (point.normalSpeed < hitSpeed) {
+      if (isRestOfImpact(t, point)) point.normalSpeed = 0;
+      else contact.flags |= FAST_POINT;
+    }
     point.normalImpulse = blend(point.normalImpulse, load<real>(from, block.NORMAL_IMPULSE), weight);
     point.tangentImpulse = blend(point.tangentImpulse, load<real>(from, block.TANGENT_IMPULSE), weight);
     point.totalImpulse = load<real>(from, block.TOTAL_IMPULSE);
-    point.normalSpeed = load<real>(from, block.NORMAL_SPEED);
-    if (point.normalSpeed < hitSpeed) contact.flags |= FAST_POINT;
   }
+}
+
+// Whether the step before stopped what approaches at a point, but for the speed at which it comes to the surface in a sub-step: that
+// impact is listed already.
+function isRestOfImpact(t: RigidTable, point: ContactPoint): bool {
+  return point.normalImpulse > 0 && -point.normalSpeed * <real>t.h <= REST * point.separation;
 }
 
 // @ts-ignore: decorator

@@ -79,7 +79,8 @@ export function solveContacts(table: usize): void {
   const inverseH = splat(<real>(1 / t.h));
   const speed = splat(<real>-t.contactSpeed);
   const all = i32x4.splat(-1);
-  for (let i = 0; i < t.blockCount; i++) solveBlock(block.blockOf(t, i), inverseH, speed, true, all, all);
+  for (let i = 0; i < t.blockCount; i++) solveBlock(block.blockOf(t, i), inverseH, speed, true, false, all, all);
+  if (t.hitCount > 0) solveHits(t, inverseH, speed, true);
 }
 
 // Rigidly and without pushing, with friction.
@@ -89,20 +90,28 @@ export function relaxContacts(table: usize): void {
   const all = i32x4.splat(-1);
   const none = i32x4.splat(0);
   for (let i = 0; i < t.blockCount; i++) relaxBlock(block.blockOf(t, i), inverseH, all, none);
-  for (let pass = 0; t.hitCount > 0 && pass < HIT_PASSES; pass++) {
+  if (t.hitCount > 0) solveHits(t, inverseH, inverseH, false);
+}
+
+// Additional passes for contacts with two points that an impact hits: what one point takes turns the body, which changes the load of
+// the other, and so does friction. Resting contacts converge over the next sub-steps; an impact has only this one.
+const HIT_PASSES: i32 = 3;
+
+function solveHits(t: RigidTable, inverseH: v128, slowest: v128, soft: bool): void {
+  const all = i32x4.splat(-1);
+  for (let pass = 0; pass < HIT_PASSES; pass++) {
     for (let i = 0; i < t.blockCount; i++) {
-      const hit = hitLanes(block.blockOf(t, i));
-      if (v128.any_true(hit)) relaxBlock(block.blockOf(t, i), inverseH, hit, all);
+      const at = block.blockOf(t, i);
+      const hit = hitLanes(at);
+      if (!v128.any_true(hit)) continue;
+      if (soft) solveBlock(at, inverseH, slowest, true, true, hit, all);
+      else relaxBlock(at, inverseH, hit, all);
     }
   }
 }
 
-// Additional relaxing passes for contacts with two points that an impact hits: friction turns the body, which changes
-// the load of the points, which changes friction. Resting contacts converge over the next sub-steps; an impact has only this one.
-const HIT_PASSES: i32 = 3;
-
 function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void {
-  solveBlock(at, inverseH, inverseH, false, lanes, repeat);
+  solveBlock(at, inverseH, inverseH, false, true, lanes, repeat);
 }
 
 // The contacts of a block whose second point is hit. The others must not notice: which share a block depends on all bodies.
@@ -148,10 +157,18 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   return add(mul(mass, change), v128.andnot(mul(sub(splat(1), massScale), impulse), apart));
 }
 
-// The normals, and when relaxing friction, of those contacts of a block whose lane is set. The total impulse is the sum of those with
-// which the sub-steps end. With `repeat`, the pass was made in this sub-step before, and only their change is added.
+// The normals, and when relaxing friction, of a block's contacts: of all, or of `some`, whose lane is set. The total impulse is the
+// sum of those with which the sub-steps end. With `repeat`, the pass was made in this sub-step before, and only their change is added.
 // @ts-ignore: decorator
-@inline function solveBlock(at: usize, inverseH: v128, slowest: v128, soft: bool, lanes: v128, repeat: v128): void {
+@inline function solveBlock(
+  at: usize,
+  inverseH: v128,
+  slowest: v128,
+  soft: bool,
+  some: bool,
+  lanes: v128,
+  repeat: v128,
+): void {
   const a = at + block.A;
   const b = at + block.B;
   const dx = sub(lanesX(b, MOVEMENT), lanesX(a, MOVEMENT));
@@ -189,7 +206,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     const speed = add(moving, sub(mul(wB, leverB), mul(wA, leverA)));
     const old = v128.load(p, block.NORMAL_IMPULSE);
     const wanted = changeAt(at, p, old, speed, s, inverseH, slowest, soft);
-    const change = soft ? wanted : v128.and(wanted, lanes);
+    const change = some ? v128.and(wanted, lanes) : wanted;
     // Of a number and what is none, these take the number.
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(splat(0), sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
