@@ -8,8 +8,8 @@ import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape } from '../../shapes/2d/shape';
 import { collideAhead, collideDiscsAhead, impactDistance, motionOf } from './collide-ahead';
 import { Manifold, dropPoint } from './manifold';
-import { passBy } from './pass-by';
-import { RigidContact } from './rigid-contact';
+import { foreseeWay, meetsFlat, passBy, slackOf } from './pass-by';
+import { RigidContact, pointOf } from './rigid-contact';
 
 // Shapes touch up to this distance, m: four times the slop of 5 mm.
 export const SPECULATIVE_DISTANCE: real = 0.02;
@@ -52,16 +52,34 @@ function mayHaveToTurn(t: RigidTable, body: i32, row: i32): bool {
   return collideDiscsAhead(t, contact, m, shapeA, shapeB, m.speculative == SPECULATIVE_DISTANCE);
 }
 
-// Leaves out the points that are further away than they may come in this step.
-export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): void {
-  if (m.count == 0) return;
+// Leaves out what does not touch in this step, and the point that is further away than it may come. Returns whether nothing is left
+// because of how fast the two are.
+export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): bool {
+  const isFast = m.speculative > SPECULATIVE_DISTANCE;
+  if (m.count == 0) return isFast;
   const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
-  if (m.speculative > SPECULATIVE_DISTANCE) {
+  if (isFast || near > 0) {
     const target = impactDistance(t, contact);
-    if (passBy(t, contact, m, shapeA, shapeB, near, target)) m.count = 0;
-    else if (near > target) collideAhead(t, contact, m, shapeA, shapeB);
+    const along = foreseeWay(t, contact, m.nx, m.ny);
+    // What slides on a surface stays outside of it all the way, and yet rests on it.
+    const maySlide = near + along > -slackOf(target) && (!isFast || near <= target);
+    const mayPass = !maySlide && !meetsFlat(m, target);
+    if (mayPass && passBy(t, contact, m, shapeA, shapeB, slackOf(target))) m.count = 0;
+    else if (isFast && near > target) collideAhead(t, contact, m, shapeA, shapeB);
   }
-  if (m.count < 2) return;
+  if (m.count == 2) dropFarPoint(t, contact, m);
+  return m.count == 0;
+}
+
+// Whether a manifold that is kept would stop bodies which are apart in this step: its normal may be another meanwhile.
+export function mayStop(t: RigidTable, contact: RigidContact): bool {
+  const first = pointOf(contact, 0).separation;
+  const near = contact.count == 2 ? min<real>(first, pointOf(contact, 1).separation) : first;
+  if (near <= 0) return false;
+  return near + foreseeWay(t, contact, contact.nx, contact.ny) <= -slackOf(impactDistance(t, contact));
+}
+
+function dropFarPoint(t: RigidTable, contact: RigidContact, m: Manifold): void {
   const isSecondNear = m.separation1 < m.separation0;
   const gap = (isSecondNear ? m.separation0 : m.separation1) - SPECULATIVE_DISTANCE;
   if (gap <= 0) return;

@@ -15,6 +15,7 @@ import { CIRCLE, Shape } from '../../shapes/2d/shape';
 import { motionOf } from './collide-ahead';
 import { Manifold } from './manifold';
 import { RigidContact } from './rigid-contact';
+import { velocityX, velocityY } from './shape-velocity';
 
 // A shape goes on by this part of its least extent at most, so that its centre stays on its side of the surface.
 const MOST: real = 0.5;
@@ -54,11 +55,8 @@ let pathY: real = 0;
 
 // Adds the path of the centre of a shape within a time, which is negative for the path back.
 function addPath(t: RigidTable, body: i32, row: i32, time: real): void {
-  const pose = poseOf(t, row);
   if ((flagsOf(t, body) & MOVES) == 0 || word(t.usedColors, body) == 0) return;
   const state = motionOf(t, body);
-  const x = pose.x - poseOf(t, body).x;
-  const y = pose.y - poseOf(t, body).y;
-  pathX += time * (state.vx - state.w * y);
-  pathY += time * (state.vy + state.w * x);
+  pathX += time * velocityX(t, state, body, row);
+  pathY += time * velocityY(t, state, body, row);
 }

@@ -32,7 +32,7 @@ export function greatestSeparation(first: Shape, second: Shape, pose: RelativePo
 
 // How far the vertices of a shape reach along a direction of its frame, at least.
 // @ts-ignore: decorator
-@inline function leastProjection(shape: Shape, x: real, y: real): real {
+@inline export function leastProjection(shape: Shape, x: real, y: real): real {
   let least = x * vertexX(shape, 0) + y * vertexY(shape, 0);
   for (let j = 1; j < shape.count; j++) least = min<real>(least, x * vertexX(shape, j) + y * vertexY(shape, j));
   return least;

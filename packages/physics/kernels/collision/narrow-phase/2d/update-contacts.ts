@@ -40,7 +40,7 @@ import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { areDiscs } from './collide-ahead';
 import { collideShapes } from './collide-shapes';
 import { freeContact, isCurrent, sensorFlags } from './contact-list';
-import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, reachOf } from './far-points';
+import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, mayStop, reachOf } from './far-points';
 import { EDGE_OF_A, EDGE_OF_B, Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
@@ -183,7 +183,8 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
   }
   const passed = (contact.flags & PASSING) != 0;
   contact.flags = kept;
-  if (((flagsA | flagsB) & FAST) != 0 || !mayRecycle(t, contact, touched)) findManifold(t, contact);
+  const isRecycled = ((flagsA | flagsB) & FAST) == 0 && mayRecycle(t, contact, touched) && recycle(t, contact);
+  if (!isRecycled) findManifold(t, contact);
   if (contact.count == 0) return false;
   const isOpen = !touched || ((flagsA | flagsB) & NEWLY_ONE_WAY) != 0;
   if (isOpen && ((flagsA | flagsB) & ONE_WAY) != 0 && (passed || passesThrough(t, contact))) {
@@ -191,10 +192,17 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   contact.flags |= TOUCHING;
-  moveAnchors(t, contact);
+  if (!isRecycled) moveAnchors(t, contact);
   // Each step, because friction or the speed of a conveyor may change while the points are kept.
   mixMaterials(t, contact);
   return ((flagsA & DYNAMIC) == 0) != ((flagsB & DYNAMIC) == 0);
+}
+
+// Returns false if the manifold must be found again after all.
+function recycle(t: RigidTable, contact: RigidContact): bool {
+  if (contact.count == 0) return true;
+  moveAnchors(t, contact);
+  return !mayStop(t, contact);
 }
 
 function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
@@ -241,16 +249,16 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   contact.as = a.s;
   contact.bc = b.c;
   contact.bs = b.s;
+  let isLeftOut = false;
   if (!areDiscs(t, contact) || !foreseeDiscs(t, contact, m, shapeA, shapeB)) {
     moveToMiddle(t, contact, m, shapeA, shapeB);
     collideShapes(m, shapeA, shapeB);
-    dropFarPoints(t, contact, m, shapeA, shapeB);
+    isLeftOut = dropFarPoints(t, contact, m, shapeA, shapeB);
   }
   contact.dx = m.bx;
   contact.dy = m.by;
   // A predicted manifold is computed again in the next step, and so is one that was left out because of how fast the two were.
-  const isPredicted = (contact.flags & FORESEEN) != 0 || (m.count == 0 && m.speculative > SPECULATIVE_DISTANCE);
-  if (isPredicted) contact.flags &= ~FOUND;
+  if (isLeftOut || (contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
   contact.flags &= ~(EDGE_OF_A | EDGE_OF_B | ON_CHAIN);
   if (m.count == 1) contact.flags |= m.edge;
