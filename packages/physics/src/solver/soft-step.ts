@@ -199,7 +199,7 @@ function advance(
     kernels.relaxContacts(at);
     kernels.holdLocked(at);
     if (crowded) kernels.limitCrowdEnergies(at);
-    if (s < substeps - 1 && !isSteady) kernels.writeBodies(at);
+    if (s < substeps - 1 && !isSteady) writePoses(kernels, at);
   }
   // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
   const bounced = kernels.applyRestitution(at) > 0;
@@ -208,8 +208,7 @@ function advance(
   kernels.holdLocked(at);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
-  kernels.writeBodies(at);
-  kernels.writeAngles(at);
+  writePoses(kernels, at);
   if (words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);
   markBodiesToSleep(world);
@@ -229,6 +228,12 @@ function listSprings(world: PhysicsWorld, words: Uint32Array): void {
 }
 
 type Kernels = ReturnType<typeof rigidKernels>;
+
+/** For forces that read them in the next sub-step, and at the end. */
+function writePoses(kernels: Kernels, at: number): void {
+  kernels.writeBodies(at);
+  kernels.writeAngles(at);
+}
 
 /** Joints pull together what is apart. */
 function solveJoints(kernels: Kernels, joints: number): void {

@@ -143,7 +143,6 @@ function isUnchanged(c: Columns, t: RigidTable, row: i32): bool {
 function watchKinematic(c: Columns, t: RigidTable, row: i32): void {
   const hasShape = (flagsOf(t, row) & COLLIDES) != 0;
   const stands = !isDriven(c, row) && (hasShape ? isUnchanged(c, t, row) : isWhereItWas(c, t, row));
-  sleeperOf(t, row).angle = get(t.angle, row);
   if (stands) putFlags(t, row, flagsOf(t, row) | STANDS);
 }
 
@@ -259,7 +258,7 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   turnTo(<f64>get(t.angle, row));
   if ((flags & STATIC) != 0 && (hasMoved(c, pose, row) || ((flags & COLLIDES) != 0 && hasNewCollider(t, row))))
     putFlags(t, row, flags | SHIFTED);
-  if ((flags & STATIC) != 0) sleeperOf(t, row).angle = get(t.angle, row);
+  sleeperOf(t, row).angle = get(t.angle, row);
   pose.x = get(c.positionX, row);
   pose.y = get(c.positionY, row);
   pose.c = <real>sineCosine.cosine;

@@ -6,6 +6,7 @@ import { computeSineCosine, sineCosine } from '../../math/elementary';
 import { minus, storeReals, vector } from '../../math/vector-2d';
 import { BodyState, DYNAMIC, ROUND, flagsOf, poseOf, stateOf, word } from './body';
 import { RigidTable } from './rigid-table';
+import { sleeperOf } from './sleeper';
 
 // Applies the forces of the last evaluation.
 export function integrateVelocities(table: usize): void {
@@ -88,13 +89,13 @@ export function writeBodies(table: usize): void {
   }
 }
 
-// Adds the angles turned to the columns, once a step, because an angle has no start that is kept.
+// The same for angles.
 export function writeAngles(table: usize): void {
   const t = changetype<RigidTable>(table);
   const c = columns();
   for (let i = 0; i < t.awakeCount; i++) {
     const row = word(t.awake, i);
     const mayTurn = (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
-    if (mayTurn) put(t.angle, row, get(t.angle, row) + stateOf(t, row).turned);
+    if (mayTurn) put(t.angle, row, sleeperOf(t, row).angle + stateOf(t, row).turned);
   }
 }

@@ -6,7 +6,7 @@ import { word } from './body';
 // First what is compared in each step while a body sleeps.
 @unmanaged
 export class Sleeper {
-  // Force, torque and angle when it fell asleep; of what does not move, the angle in the last step.
+  // Force, torque and angle when it fell asleep; of what does not sleep, the angle when the last step began.
   fx: real;
   fy: real;
   torque: real;
