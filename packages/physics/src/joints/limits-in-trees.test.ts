@@ -1,5 +1,15 @@
 // Limits of hinges that bodies hang on: they stop what turns, and give it nothing.
-import { asleepCount, box, createJoint, energy, revolute, spawn, step } from '@principia/physics';
+import {
+  asleepCount,
+  box,
+  createJoint,
+  energy,
+  isAsleep,
+  jointPosition,
+  revolute,
+  spawn,
+  step,
+} from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
@@ -94,5 +104,36 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       run(world, 15);
       expect(asleepCount(world), `pose ${pose}`).toBe(3);
     }
+  });
+});
+
+describe.each(['f32', 'f64'] as const)('beside a limit that something keeps passed, in %s', (precision) => {
+  it.each([0.05, 0.2, 1, 2])('a flap rests on its limit, at %d m', (size) => {
+    const world = rigidWorld({ precision });
+    const place = (x: number, y: number, width: number, height: number, density: number) =>
+      spawn(world, {
+        position: { x: x * size, y: y * size },
+        collider: { shape: box(width * size, height * size), density, friction: 0.6 },
+      });
+    const collider = { shape: box(6 * size, size), friction: 0.6 };
+    spawn(world, { position: { x: -3 * size, y: -0.5 * size }, collider });
+    const bar = place(-0.9, 0.2, 2, 0.4, 100);
+    const flap = place(0.5, 0.2, 0.8, 0.3, 100);
+    const raised = { lower: 0.01, upper: 1 };
+    createJoint(world, revolute({ b: bar, anchor: { x: -1.9 * size, y: 0.2 * size }, limits: raised }));
+    const limits = { lower: -0.3, upper: 0.5 };
+    const hinge = createJoint(world, revolute({ a: bar, b: flap, anchor: { x: 0.1 * size, y: 0.2 * size }, limits }));
+    // A block that does not move keeps the bar from its limit.
+    const block = { shape: box(size, size), friction: 0.6 };
+    spawn(world, { position: { x: -size, y: 0.87 * size }, collider: block });
+    let least = 0;
+    for (let i = 0; i < 300; i++) {
+      step(world, DT);
+      least = Math.min(least, jointPosition(world, hinge));
+    }
+    expect(isAsleep(world, flap)).toBe(true);
+    // Limits hold as contacts do, within the slop of 5 mm: here of an arc of 0.3 m and more, or 0.017 rad.
+    expect(least).toBeGreaterThan(-0.3 - 0.017);
+    expect(Math.abs(jointPosition(world, hinge) + 0.3)).toBeLessThan(0.02);
   });
 });

@@ -2,8 +2,9 @@
 // would know the masses of its two bodies and not what hangs on them: it would answer too weakly and too late, and so drive
 // what it should stop.
 //
-//   predict   what would be passed within the sub-step, with the impulses of the last one
-//   engage    what would be passed without them too, and what bears already
+//   foresee   what would be passed within the sub-step at the speeds with which the last one ended
+//   predict   what would be passed with the impulses of the last one
+//   engage    what would be passed with them, and at those speeds or without the impulses of joints, and what bears already
 //   release   what would have to pull
 //
 // Source of the method, an active set: Nocedal and Wright, Numerical Optimization, section 16.5; here of one exchange in each
@@ -29,15 +30,18 @@ const PASSES_LOWER: i32 = 1;
 const PASSES_UPPER: i32 = 2;
 const LEAVES_LOWER: i32 = 4;
 const LEAVES_UPPER: i32 = 8;
+const PASSES_ANY: i32 = PASSES_LOWER | PASSES_UPPER;
+// What is passed at the speeds with which the last sub-step ended: the same, times this.
+const FORESEEN: i32 = 16;
 
 // What comes back to a limit faster than this, m/s or rad/s, is not held there: only the overlap is corrected.
 const LEAVES: f64 = 0.05;
 
 // What bears goes on to do so this near to its limit, m or rad, as long as it needs to push: what rests on it does not tremble.
-const SLOP: f64 = 0.005;
-// It comes back to it by this part of the rate at which gaps close. Contacts that are solved in turn with joints would move it away,
-// and beyond the slop it would fall on its limit.
-const RETURN: f64 = 0.25;
+const SLOP: f64 = 0.02;
+// It comes back to it by this part of the rate at which gaps close. Contacts that are solved in turn with joints move it away: where they
+// keep another limit of the tree passed, by up to twice as much as that is. Beyond the slop it would fall on its limit.
+const RETURN: f64 = 0.5;
 // Limits closer to each other leave no room, m or rad.
 const NO_ROOM: f64 = 1e-9;
 
@@ -73,12 +77,20 @@ function exert(rigid: RigidTable, work: JointWork, impulse: f64): void {
   else applyAlong(work, a, b, rowOf(work, SPRING_ROW), impulse);
 }
 
-// Notes which limits of a joint would be passed at the speeds with the impulses of the last sub-step. Those know the load of a
-// joint, but an impact seems to continue in them; the speeds without them know that it is over, but nothing bears a load in them.
-// A limit is passed where both say so.
+// Notes which limits of a joint would be passed at the speeds with which the last sub-step ended, before anything is done to the bodies but
+// by forces.
+export function foreseeLimits(t: JointTable, rigid: RigidTable, k: i32): void {
+  const work = workAt(t, k);
+  if (hasTreeLimits(t, work)) work.limit = FORESEEN * (passedLimits(t, rigid, work) & PASSES_ANY);
+}
+
+// Notes which would be passed at the speeds with the impulses of the last sub-step. Those know the load of a joint, but an impact seems
+// to continue in them; the speeds without them know that it is over, but nothing bears a load in them: what contacts exert against
+// joints then has nothing against it, and a limit beside such a joint seems to be left. A limit is passed where the speeds with the
+// impulses say so, and the speeds without them or those with which the last sub-step ended.
 export function predictLimits(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
-  if (hasTreeLimits(t, work)) work.limit = passedLimits(t, rigid, work);
+  if (hasTreeLimits(t, work)) work.limit |= passedLimits(t, rigid, work);
 }
 
 // Which limits of a joint its present speed passes within the sub-step, and from which it leads back.
@@ -94,7 +106,7 @@ function passedLimits(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
 export function engageLimit(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   if (!hasTreeLimits(t, work)) return;
-  const passes = work.limit & passedLimits(t, rigid, work);
+  const passes = work.limit & (passedLimits(t, rigid, work) | (work.limit / FORESEEN));
   work.limit = 0;
   const row = rowOf(work, SPRING_ROW);
   const low = row.error - lowerOf(t, work);

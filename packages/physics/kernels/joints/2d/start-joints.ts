@@ -7,6 +7,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { ARTICULATED_BODY_SIZE, ARTICULATED_MASS_SIZE, articulated, massBeside, massOf } from './articulated-body';
 import { braceTurns, startRods } from './brace-rods';
 import { applyAtHinge } from './hinge-locks';
+import { foreseeLimits } from './engage-limits';
 import { startMotor } from './engage-motors';
 import { GEAR, JointTable, MOTOR, PULLEY, impulsesOf } from './joint-table';
 import { JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, workAt } from './joint-work';
@@ -25,6 +26,10 @@ export function startJoints(table: usize): void {
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     measureJoint(t, k);
+    foreseeLimits(t, rigid, k);
+  }
+  for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
+    if (placeAt(t, k).hinge == PLAIN) continue;
     startMotor(t, rigid, workAt(t, k));
     applyImpulses(t, rigid, k, 1);
     if (workAt(t, k).hasAxes != 0) warmStartAxes(t, rigid, workAt(t, k));
