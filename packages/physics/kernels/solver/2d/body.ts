@@ -86,6 +86,10 @@ export const NEWLY_ONE_WAY: u32 = 16777216;
 // It is static, but has a velocity, which is 0 in this step.
 export const MAY_MOVE: u32 = 33554432;
 
+// It is moved by forces now, or no longer, or it touches such a body; it has less mass than in the last step (forget-impulses.ts).
+export const CHANGED_KIND: u32 = 67108864;
+export const LIGHTER: u32 = 134217728;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

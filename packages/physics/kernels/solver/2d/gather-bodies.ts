@@ -8,11 +8,13 @@ import { isForgotten, rowBox } from '../../collision/broad-phase/2d/fat-boxes';
 import {
   ASLEEP,
   BodyPose,
+  CHANGED_KIND,
   COLLIDES,
   COMPOUND,
   DYNAMIC,
   FAST,
   KINEMATIC,
+  LIGHTER,
   LOCKED,
   MAY_MOVE,
   MOVES,
@@ -55,6 +57,8 @@ export function gatherBodies(table: usize): void {
   t.wokenCount = 0;
   t.sensorCount = 0;
   t.mayMoveCount = 0;
+  t.changedKindCount = 0;
+  t.lighterCount = 0;
   findColliderFlags(t);
   // Entities that are gone may have left rows at the end.
   const end = max<i32>(t.rows, t.lastRows);
@@ -160,6 +164,10 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   if ((kind & SENSOR) != 0) t.sensorCount++;
   if ((kind & MAY_MOVE) != 0) t.mayMoveCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
+  if (same && ((before ^ kind) & DYNAMIC) != 0) {
+    putFlags(t, row, flagsOf(t, row) | CHANGED_KIND);
+    t.changedKindCount++;
+  }
   if (!changed && (kind & ~before & ONE_WAY) != 0) noteOneWay(t, row);
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return false;
@@ -263,6 +271,7 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
   pose.y = get(c.positionY, row);
   pose.c = <real>sineCosine.cosine;
   pose.s = <real>sineCosine.sine;
+  const before = pose.inverseMass;
   pose.inverseMass = 0;
   pose.inverseInertia = 0;
   if ((flags & DYNAMIC) != 0) {
@@ -271,7 +280,14 @@ export function readPose(c: Columns, t: RigidTable, row: i32): void {
     const turns = mayTurn && inertia > 0 && (<u32>word(c.members, row) & t.turningBits) == t.turningBits;
     pose.inverseMass = <real>1 / get(c.mass, row);
     pose.inverseInertia = turns ? <real>1 / inertia : <real>0;
+    if (before > 0 && before < pose.inverseMass) noteLighter(t, row, before);
   }
+}
+
+function noteLighter(t: RigidTable, row: i32, before: real): void {
+  sleeperOf(t, row).formerInverseMass = before;
+  putFlags(t, row, flagsOf(t, row) | LIGHTER);
+  t.lighterCount++;
 }
 
 // Of a body without a shape of its own, `placeParts` finds them.

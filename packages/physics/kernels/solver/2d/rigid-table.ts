@@ -207,6 +207,9 @@ export class RigidTable {
   slept: usize;
   wokenCount: i32;
   woken: usize;
+  // How many bodies are of another kind than in the last step, and how many have less mass (forget-impulses.ts).
+  changedKindCount: i32;
+  lighterCount: i32;
 }
 
 // A color for every bit of a word; contacts that found none are in the last one.

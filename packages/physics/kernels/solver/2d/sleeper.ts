@@ -40,6 +40,8 @@ export class Sleeper {
   steadyFor: real;
   // Time for which it has hardly moved and no force has acted on it, s.
   freeFor: real;
+  // Of a body that has become lighter: the inverse mass in the last step, 1/kg.
+  formerInverseMass: real;
 }
 
 const SIZE: usize = (offsetof<Sleeper>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);

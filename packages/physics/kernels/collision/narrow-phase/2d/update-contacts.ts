@@ -28,6 +28,7 @@ import {
   putWord,
   word,
 } from '../../../solver/2d/body';
+import { forgetImpulses } from '../../../solver/2d/forget-impulses';
 import { listAwake } from '../../../solver/2d/gather-bodies';
 import { clearEvents, noteEnd, noteSensorPairEnd } from '../../../solver/2d/contact-events';
 import { wakeForced, wakeIsland, wakeSprung } from '../../../solver/2d/islands';
@@ -103,6 +104,7 @@ export function updateContacts(table: usize): void {
   let kept = 0;
   groundCount = 0;
   clearEvents(t);
+  if (t.changedKindCount + t.lighterCount > 0) forgetImpulses(t);
   for (let i = 0; i < t.contactCount; i++) {
     const slot = word(t.order, i);
     const contact = contactAt(t, slot);

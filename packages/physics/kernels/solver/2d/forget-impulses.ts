@@ -1,0 +1,56 @@
+// What contacts keep for the next step are impulses of a sub-step. Where a body became lighter since, or of another kind, they belong to
+// another load: on a hundredth of the mass they are a hundred times the speed.
+//
+//   λ' = λ m'/m       of a contact whose reduced mass was m and is m', if it became less
+//   λ' = 0            of all contacts that hang together with a body that is of another kind now: moved by forces, or not
+import { isCurrent } from '../../collision/narrow-phase/2d/contact-list';
+import { RigidContact, TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { CHANGED_KIND, DYNAMIC, LIGHTER, flagsOf, poseOf, putFlags, word } from './body';
+import { RigidTable } from './rigid-table';
+import { sleeperOf } from './sleeper';
+
+export function forgetImpulses(t: RigidTable): void {
+  if (t.changedKindCount > 0) while (spread(t)) {}
+  for (let i = 0; i < t.contactCount; i++) {
+    const contact = contactAt(t, word(t.order, i));
+    const flags = flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB);
+    if ((flags & CHANGED_KIND) != 0) scaleContact(contact, 0);
+    else if ((flags & LIGHTER) != 0) scaleContact(contact, partOfMass(t, contact));
+  }
+}
+
+// Bodies that are pushed and touch one that is of another kind count as such, too. Returns whether there are more of them now.
+function spread(t: RigidTable): bool {
+  let any = false;
+  for (let i = 0; i < t.contactCount; i++) {
+    const contact = contactAt(t, word(t.order, i));
+    if ((contact.flags & TOUCHING) == 0 || !isCurrent(t, contact)) continue;
+    const flagsA = flagsOf(t, contact.bodyA);
+    const flagsB = flagsOf(t, contact.bodyB);
+    if (((flagsA ^ flagsB) & CHANGED_KIND) == 0) continue;
+    const isA = (flagsB & CHANGED_KIND) != 0;
+    const flags = isA ? flagsA : flagsB;
+    if ((flags & DYNAMIC) == 0) continue;
+    putFlags(t, isA ? contact.bodyA : contact.bodyB, flags | CHANGED_KIND);
+    any = true;
+  }
+  return any;
+}
+
+function partOfMass(t: RigidTable, contact: RigidContact): real {
+  const before = formerInverseMass(t, contact.bodyA) + formerInverseMass(t, contact.bodyB);
+  return min<real>(1, before / (poseOf(t, contact.bodyA).inverseMass + poseOf(t, contact.bodyB).inverseMass));
+}
+
+function formerInverseMass(t: RigidTable, row: i32): real {
+  return (flagsOf(t, row) & LIGHTER) != 0 ? sleeperOf(t, row).formerInverseMass : poseOf(t, row).inverseMass;
+}
+
+export function scaleContact(contact: RigidContact, by: real): void {
+  contact.rollingImpulse *= by;
+  for (let p = 0; p < contact.count; p++) {
+    const point = pointOf(contact, p);
+    point.normalImpulse *= by;
+    point.tangentImpulse *= by;
+  }
+}
