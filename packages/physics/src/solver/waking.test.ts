@@ -4,6 +4,7 @@ import {
   box,
   COMBINE,
   circle,
+  despawn,
   isAsleep,
   type PhysicsWorld,
   setShape,
@@ -225,5 +226,36 @@ describe.each(['f32', 'f64'] as const)('a thrust of one step in %s', (precision)
     expect(Math.abs((Velocity.x[body] as number) - speed)).toBeLessThan(rounding);
     step(world, DT);
     expect(Math.abs((Velocity.x[body] as number) - speed)).toBeLessThan(rounding);
+  });
+});
+
+describe('what sleeps on something that holds it no longer falls in the same step', () => {
+  const ways: Record<string, (world: PhysicsWorld, ground: number) => void> = {
+    'because it is gone': (world, ground) => despawn(world, ground),
+    'because it was moved away': ({ components }, ground) => {
+      components.Position.x[ground] += 100;
+    },
+    'because it collides with nothing': ({ components }, ground) => {
+      components.Collider.mask[ground] = 0;
+    },
+    'because it is in another layer': ({ components }, ground) => {
+      components.Collider.layers[ground] = 0;
+    },
+    'because it is a sensor': ({ components }, ground) => {
+      components.Collider.sensor[ground] = 1;
+    },
+  };
+  test.each(Object.entries(ways))('%s', (_name, change) => {
+    const world = rigidWorld();
+    const ground = spawn(world, { position: { y: -0.5 }, collider: { shape: box(40, 1) } });
+    // The upper one touches only what sleeps as well.
+    const bodies = [0.5, 1.5].map((y) =>
+      spawn(world, { position: { y }, collider: { shape: box(1, 1), density: 10 } }),
+    );
+    run(world, 2);
+    expect(asleepCount(world)).toBe(2);
+    change(world, ground);
+    step(world, DT);
+    for (const body of bodies) expect(world.components.Velocity.y[body]).toBeCloseTo(-G * DT, 3);
   });
 });

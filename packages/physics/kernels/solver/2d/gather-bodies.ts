@@ -57,6 +57,7 @@ export function gatherBodies(table: usize): void {
   t.wokenCount = 0;
   t.sensorCount = 0;
   t.mayMoveCount = 0;
+  t.changedCount = 0;
   t.changedKindCount = 0;
   t.lighterCount = 0;
   findColliderFlags(t);
@@ -171,6 +172,7 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   if (!changed && (kind & ~before & ONE_WAY) != 0) noteOneWay(t, row);
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return false;
+  t.changedCount++;
   putWord(t.filters, row, filterOf(t, row));
   invalidateTrees(t, before);
   invalidateTrees(t, kind);

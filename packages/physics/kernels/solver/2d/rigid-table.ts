@@ -207,7 +207,9 @@ export class RigidTable {
   slept: usize;
   wokenCount: i32;
   woken: usize;
-  // How many bodies are of another kind than in the last step, and how many have less mass (forget-impulses.ts).
+  // How many rows have another body or collide otherwise than in the last step, how many bodies are of another kind, and how many have
+  // less mass (forget-impulses.ts).
+  changedCount: i32;
   changedKindCount: i32;
   lighterCount: i32;
 }

@@ -73,7 +73,8 @@ const manifold = changetype<Manifold>(memory.data(offsetof<Manifold>() + 16, 16)
 const spareA = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 const spareB = changetype<Shape>(memory.data(<i32>SHAPE_BYTES, 8));
 
-// Wakes the islands that other forces act on, or that something awake touches or pulls at by a spring, before contacts are updated.
+// Wakes the islands that other forces act on, that something awake touches or pulls at by a spring, or that lie on what is gone, before
+// contacts are updated.
 export function wakeIslands(table: usize): void {
   const t = changetype<RigidTable>(table);
   if (t.asleepCount == 0) return;
@@ -83,10 +84,14 @@ export function wakeIslands(table: usize): void {
     const flagsA = flagsOf(t, contact.a);
     const flagsB = flagsOf(t, contact.b);
     if ((contact.flags & (SENSES | IGNORED | PASSING)) != 0) continue;
-    if (((flagsA | flagsB) & ASLEEP) == 0 || !(isActive(flagsA) || isActive(flagsB)) || isOver(t, contact)) continue;
+    if (((flagsA | flagsB) & ASLEEP) == 0) continue;
+    const mayMove = isActive(flagsA) || isActive(flagsB);
+    if (!mayMove && t.changedCount == 0) continue;
     const touched = (contact.flags & TOUCHING) != 0;
-    findManifold(t, contact);
-    if (!touched && contact.count == 0) continue;
+    const isEnding = ((flagsA | flagsB) & SENSOR) != 0 || isOver(t, contact);
+    if (!isEnding && !mayMove) continue;
+    if (!isEnding) findManifold(t, contact);
+    if (!touched && (isEnding || contact.count == 0)) continue;
     wakeBody(t, contact.bodyA);
     wakeBody(t, contact.bodyB);
     any = true;
