@@ -29,4 +29,8 @@ export function checkRounding(value: unknown, field: string): number {
 }
 
 /** Bounds of a coordinate. */
-export const COORDINATE = { min: -MAX_LENGTH, max: MAX_LENGTH };
+export const COORDINATE = {
+  min: -MAX_LENGTH,
+  max: MAX_LENGTH,
+  hint: 'Give the points in metres from an origin nearby, and place bodies by `position`.',
+};
