@@ -43,8 +43,8 @@ export class Impact {
 }
 
 // Levers and effective masses as in a block; the impulses of this round and of all rounds, and those of friction of all rounds and
-// before this one, N s; what was taken back along the normal; the speed at which it may close, m/s; and its effective mass
-// without joints.
+// before this one, N s; what was taken back along the normal; the speed at which it may close, m/s; its effective mass without
+// joints; and the speed at which it met, m/s.
 @unmanaged
 export class ImpactPoint {
   leverA: real;
@@ -60,9 +60,10 @@ export class ImpactPoint {
   taken: real;
   room: real;
   ownMass: real;
+  met: real;
 }
 
-const POINT: usize = 13 * sizeof<real>();
+const POINT: usize = 14 * sizeof<real>();
 
 // @ts-ignore: decorator
 @inline export const IMPACT_SIZE: usize = (offsetof<Impact>('point0') + 2 * POINT + 7) & ~7;

@@ -16,11 +16,20 @@ import { contactOf, isFast, laneAt, pointAt } from '../../solver/2d/contact-plac
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { firstEdge, linkContacts, nextEdge, visit } from './contact-edges';
 import { halfKick } from './half-kick';
-import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, normalSpeedAt } from './impact';
+import {
+  Impact,
+  ImpactPoint,
+  applyTangentImpulse,
+  impactAt,
+  pointOf,
+  applyNormalImpulse,
+  normalSpeedAt,
+} from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
 import { memberOf, othersIn, projectImpact, projectImpacts, startTrees, weighTrees } from './impact-trees';
 import { moveToEnd } from './move-to-end';
+import { LEAST_DETERMINANT } from './stop-impact';
 
 // An impact runs on where it strikes by more than this part of the threshold.
 const LEAST_PART: real = 0.1;
@@ -40,6 +49,7 @@ export function applyRestitution(table: usize): i32 {
   if (count == 0) return 0;
   for (let i = 0; i < count; i++) takeBack(t, impactAt(t, i));
   projectImpacts(t);
+  for (let i = 0; i < count; i++) noteSpeeds(t, impactAt(t, i));
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), true);
   for (let i = 0; i < count; i++) slowToImpact(t, impactAt(t, i), false);
   for (let i = 0; i < count; i++) goOn(t, impactAt(t, i));
@@ -171,22 +181,66 @@ function beyond(total: real, expected: real): real {
   return total - min<real>(0, max<real>(total, expected));
 }
 
-// Slows the points that met fast to the speed of their impact, or the others, that touched before, to what they had.
-function slowToImpact(t: RigidTable, impact: Impact, fast: bool): void {
+// Notes the speeds at which points met, of all before any is slowed to it, or the second point of a box that lands flat would seem to have
+// met more slowly than the first.
+function noteSpeeds(t: RigidTable, impact: Impact): void {
   const l = laneAt(impact.place);
   const contact = contactOf(t, impact.place);
   for (let i = 0; i < impact.count; i++) {
     const p = pointAt(t, impact.place, i);
-    if (isFast(t, p, l) != fast) continue;
     const point = pointOf(impact, i);
-    const speed = normalSpeedAt(impact, point);
     const start = min<real>(0, get(p + block.NORMAL_SPEED, l));
-    const way = fast ? max<real>(0, contactPointOf(contact, i).separation) : <real>0;
-    const gained = (<real>2 * way * max<real>(0, start - speed)) / <real>t.dt;
-    const excess = -sqrt<real>(start * start + gained) - speed;
-    if (!(excess > 0)) continue;
-    point.taken -= excess * point.mass;
-    applyNormalImpulse(impact, point, excess * point.mass);
-    projectImpact(t, impact);
+    const way = isFast(t, p, l) ? max<real>(0, contactPointOf(contact, i).separation) : <real>0;
+    const gained = (<real>2 * way * max<real>(0, start - normalSpeedAt(impact, point))) / <real>t.dt;
+    point.met = -sqrt<real>(start * start + gained);
   }
+}
+
+// Slows the points that met fast to the speed of their impact, or the others, that touched before, to what they had.
+function slowToImpact(t: RigidTable, impact: Impact, fast: bool): void {
+  const l = laneAt(impact.place);
+  const first = isFast(t, pointAt(t, impact.place, 0), l) == fast;
+  const second = impact.count > 1 && isFast(t, pointAt(t, impact.place, 1), l) == fast;
+  if (first && second && slowBoth(t, impact)) return;
+  if (first) slow(t, impact, pointOf(impact, 0));
+  if (second) slow(t, impact, pointOf(impact, 1));
+}
+
+// How much faster a point is than it met, m/s.
+// @ts-ignore: decorator
+@inline function surplusAt(impact: Impact, point: ImpactPoint): real {
+  return point.met - normalSpeedAt(impact, point);
+}
+
+// Both at once: one after the other would turn a box that lands flat. Returns false where one of them would have to pull.
+function slowBoth(t: RigidTable, impact: Impact): bool {
+  const p = pointOf(impact, 0);
+  const q = pointOf(impact, 1);
+  const pp = <real>1 / p.mass;
+  const qq = <real>1 / q.mass;
+  const pq = impact.coupling;
+  const determinant = pp * qq - pq * pq;
+  if (!(determinant > LEAST_DETERMINANT * pp * qq)) return false;
+  const surplusP = surplusAt(impact, p);
+  const surplusQ = surplusAt(impact, q);
+  const impulseP = (qq * surplusP - pq * surplusQ) / determinant;
+  const impulseQ = (pp * surplusQ - pq * surplusP) / determinant;
+  if (!(impulseP >= 0 && impulseQ >= 0)) return false;
+  push(impact, p, impulseP);
+  push(impact, q, impulseQ);
+  projectImpact(t, impact);
+  return true;
+}
+
+function slow(t: RigidTable, impact: Impact, point: ImpactPoint): void {
+  const surplus = surplusAt(impact, point);
+  if (!(surplus > 0)) return;
+  push(impact, point, surplus * point.mass);
+  projectImpact(t, impact);
+}
+
+// @ts-ignore: decorator
+@inline function push(impact: Impact, point: ImpactPoint, impulse: real): void {
+  point.taken -= impulse;
+  applyNormalImpulse(impact, point, impulse);
 }

@@ -8,7 +8,7 @@ import { Impact, ImpactPoint, applyNormalImpulse, excessAt, impactAt, pointOf } 
 import { couplingBetween } from './paired-impacts';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
-const LEAST_DETERMINANT: real = 1e-3;
+export const LEAST_DETERMINANT: real = 1e-3;
 
 // Returns by how much it changed the speed of a point, m/s.
 export function stop(t: RigidTable, impact: Impact): real {
