@@ -3,7 +3,7 @@
 // on as it does: or what passes a corner would be held up by it.
 import { columns } from '../../../memory/columns';
 import { LOCKED, flagsOf, poseOf, word } from '../../../solver/2d/body';
-import { openAxes } from '../../../solver/2d/motion-locks';
+import { inverseMassAlong, openAxes } from '../../../solver/2d/motion-locks';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { Shape } from '../../shapes/2d/shape';
 import { collideAhead, collideDiscsAhead, impactDistance, motionOf } from './collide-ahead';
@@ -16,7 +16,7 @@ export const SPECULATIVE_DISTANCE: real = 0.02;
 
 // The distance up to which two shapes may touch: further than four slops if they move so far against each other.
 export function reachOf(t: RigidTable, contact: RigidContact): real {
-  if (mayHaveToTurn(t, contact.bodyA, contact.a) || mayHaveToTurn(t, contact.bodyB, contact.b))
+  if (mayHaveToTurn(t, contact.bodyA, contact.a, 0, 0) || mayHaveToTurn(t, contact.bodyB, contact.b, 0, 0))
     return SPECULATIVE_DISTANCE;
   const stateA = motionOf(t, contact.bodyA);
   const stateB = motionOf(t, contact.bodyB);
@@ -33,12 +33,18 @@ export function reachOf(t: RigidTable, contact: RigidContact): real {
   return path > SPECULATIVE_DISTANCE ? SPECULATIVE_DISTANCE + path : SPECULATIVE_DISTANCE;
 }
 
-// What is locked along an axis may have to turn at any speed to get out of the way in time, if it is no disc: it gives way softly instead.
-function mayHaveToTurn(t: RigidTable, body: i32, row: i32): bool {
+// What is locked may have to turn at any speed to get out of the way in time along a normal, if it is no disc: it gives way softly instead.
+// Without a normal, along any.
+function mayHaveToTurn(t: RigidTable, body: i32, row: i32, nx: real, ny: real): bool {
   if ((flagsOf(t, body) & LOCKED) == 0 || openAxes(t, body) == 2) return false;
   const isDisc = body == row && word(columns().shape, row) == 0;
-  return poseOf(t, body).inverseInertia > 0 && !isDisc;
+  if (!(poseOf(t, body).inverseInertia > 0) || isDisc) return false;
+  if (nx == 0 && ny == 0) return openAxes(t, body) == 0;
+  return inverseMassAlong(t, body, nx, ny) < OPEN_PART * poseOf(t, body).inverseMass;
 }
+
+// Along a normal that gives a body this part of its inverse mass it is free enough: one at 45° to the axis that is not locked.
+const OPEN_PART: real = 0.49;
 
 // Finds the contact of two discs that are apart and come nearer. Returns false where it is that of now.
 // @ts-ignore: decorator
@@ -55,6 +61,7 @@ function mayHaveToTurn(t: RigidTable, body: i32, row: i32): bool {
 // Leaves out what does not touch in this step, and the point that is further away than it may come. Returns whether nothing is left
 // because of how fast the two are.
 export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold, shapeA: Shape, shapeB: Shape): bool {
+  if (m.count > 0 && m.speculative > SPECULATIVE_DISTANCE && mustGiveWay(t, contact, m)) keepNear(m);
   const isFast = m.speculative > SPECULATIVE_DISTANCE;
   if (m.count == 0) return isFast;
   const near = m.count == 2 ? min<real>(m.separation0, m.separation1) : m.separation0;
@@ -69,6 +76,22 @@ export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold,
   }
   if (m.count == 2) dropFarPoint(t, contact, m);
   return m.count == 0;
+}
+
+// @ts-ignore: decorator
+@inline function mustGiveWay(t: RigidTable, contact: RigidContact, m: Manifold): bool {
+  if (mayHaveToTurn(t, contact.bodyA, contact.a, m.nx, m.ny)) return true;
+  return mayHaveToTurn(t, contact.bodyB, contact.b, m.nx, m.ny);
+}
+
+// Leaves out all points that are not near.
+function keepNear(m: Manifold): void {
+  if (m.count == 2 && m.separation1 > SPECULATIVE_DISTANCE) dropPoint(m, 1);
+  if (m.separation0 > SPECULATIVE_DISTANCE) {
+    if (m.count == 2) dropPoint(m, 0);
+    else m.count = 0;
+  }
+  if (m.count > 0) m.speculative = SPECULATIVE_DISTANCE;
 }
 
 // Whether a manifold that is kept would stop bodies which are apart in this step: its normal may be another meanwhile.
