@@ -1,37 +1,49 @@
 // Added mass: an accelerating body also accelerates surrounding fluid, so the same force accelerates it less.
 //
-//   F' = F m/(m + C ρ V f)        so that  a = F/(m + C ρ V f)
+//   (m + A) v' = F - (∇A·w) w + ½ w² ∇A        A = C ρ V f
 //
 //   F  force of all laws listed before this one, N    C  coefficient: ½ for a sphere, 1 for a cylinder across the flow
-//   ρ V f  mass of the displaced fluid, kg
+//   ρ V f  mass of the displaced fluid, kg    w  velocity relative to the fluid, m/s
 //
 // List it last. Without it a bubble lighter than water would rise at hundreds of g; with C = ½ at no more than 2 g.
-// The kinetic energy of the fluid, ½ C ρ V f v², is not in `energy(world)`. Lamb, Hydrodynamics, section 92; valid
-// for inviscid flow far from walls. In single precision the small remaining acceleration has the rounding error of
-// the whole: 3·10⁻⁵ for a bubble of air in water. Cost: about 20 operations and two divisions per body.
+// The terms in ∇A act at the surface, where the immersed fraction f changes: they are those of Lagrange's equations
+// for the kinetic energy ½ m v² + ½ A w². The part of the fluid, ½ A w², is not in `energy(world)`; the sum is kept as
+// a body enters and leaves. No energy goes into spray and waves, and what moves along the surface is drawn in by ½ w² ∇A.
+//
+// It changes accelerations by forces of laws. Contacts, joints and walls know the mass m alone: of the weight of a
+// wet stone the ground then carries the part m/(m + A), and a float lifts as much less of what hangs from it. For such
+// bodies, wholly immersed, leave it out: give them `mass: m + A` and `gravityScale: m / (m + A)`, which is exact.
+//
+// Lamb, Hydrodynamics, sections 92 and 136; valid for inviscid flow far from walls. In single precision the small
+// remaining acceleration has the rounding error of the whole: 3·10⁻⁵ for a bubble of air in water. Cost: about 20
+// operations and two divisions per body; with a surface 45 and three.
 import { Collider } from '../components/collider.ts';
 import { Hull } from '../components/hull.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
-import { scalar } from '../laws/parameter.ts';
+import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
 import { FLUID_VOLUME, type FluidVolume, fluidVolumeValues, immersion } from './support/fluid-volume.ts';
 
 const about = {
   name: 'added mass',
-  formula: "F' = F m / (m + C ρ V f)",
-  source: 'Lamb, Hydrodynamics, section 92.',
+  formula: "(m + A) v' = F - (∇A·w) w + ½ w² ∇A, A = C ρ V f",
+  source: 'Lamb, Hydrodynamics, sections 92 and 136.',
   reads: { hull: Hull, collider: Collider },
 };
 
 const { density } = FLUID_VOLUME;
 const coefficient = /* @__PURE__ */ scalar('');
 
-/** Returns the change of the acceleration, a m/(m + M) - a, for the added mass M, kg. */
+/** Returns the change of the acceleration, a m/(m + A) - a, for the added mass A, kg. */
 function accelerationChange({ acceleration, mass }: { acceleration: Vector; mass: Scalar }, addedMass: Scalar): Vector {
-  const total = mass.add(addedMass);
-  return acceleration.mul(select(total.greater(0), addedMass.div(total).negate(), 0));
+  return acceleration.mul(partOf(addedMass, mass.add(addedMass)).negate());
+}
+
+/** Of what has neither mass nor volume there are no parts. */
+function partOf(value: Scalar, total: Scalar): Scalar {
+  return select(total.greater(0), value.div(total), 0);
 }
 
 const unbounded = /* @__PURE__ */ defineLaw({
@@ -42,22 +54,30 @@ const unbounded = /* @__PURE__ */ defineLaw({
 
 const withSurface = /* @__PURE__ */ defineLaw({
   ...about,
-  parameters: { density, up: FLUID_VOLUME.up, level: FLUID_VOLUME.level, coefficient },
+  parameters: { density, up: FLUID_VOLUME.up, level: FLUID_VOLUME.level, flow: vector('m/s'), coefficient },
   acceleration(body, fluid) {
-    const displaced = body.hull.volume.mul(immersion(body, fluid).immersedFraction);
-    return accelerationChange(body, fluid.coefficient.mul(fluid.density).mul(displaced));
+    const { immersedFraction, growth } = immersion(body, fluid);
+    const whole = fluid.coefficient.mul(fluid.density).mul(body.hull.volume);
+    const added = whole.mul(immersedFraction);
+    // The gradient of the added mass is -slope up, because it grows with depth.
+    const slope = partOf(whole.mul(growth), body.mass.add(added));
+    const w = body.velocity.sub(fluid.flow);
+    const ofSurface = w.mul(w.dot(fluid.up)).sub(fluid.up.mul(w.lengthSquared().mul(0.5)));
+    return accelerationChange(body, added).add(ofSurface.mul(slope));
   },
 });
 
 /**
+ * The inertia of surrounding fluid, of all forces listed before. Contacts, joints and walls do not feel it: bodies that they
+ * press or hold take `mass: m + A` and `gravityScale: m / (m + A)` instead.
  * @param coefficient C; default 0.5, that of a sphere
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function addedMass(fluidVolume: FluidVolume, coefficient = 0.5): Force {
-  const { fluid, level } = fluidVolumeValues(fluidVolume, 'addedMass');
+  const { fluid, level, flow } = fluidVolumeValues(fluidVolume, 'addedMass');
   const given = {
     density: fluid.density,
     coefficient: checkNumber(coefficient, 'addedMass.coefficient', { min: 0, max: 100 }),
   };
-  return level === undefined ? unbounded(given) : withSurface({ ...given, up: fluid.up, level });
+  return level === undefined ? unbounded(given) : withSurface({ ...given, up: fluid.up, level, flow });
 }

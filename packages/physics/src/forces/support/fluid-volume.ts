@@ -14,7 +14,7 @@ export interface FluidVolume {
   readonly gravity?: VectorInput;
   /** Height of the surface along up, m: its y if gravity points down. By default the fluid is unbounded. */
   readonly level?: number;
-  /** Velocity of the fluid, m/s; default at rest. */
+  /** Velocity of the fluid, m/s; default at rest. Read by `immersedDrag`, and at a surface by `addedMass`: buoyancy does not depend on it. */
   readonly flow?: VectorInput;
 }
 
@@ -72,6 +72,8 @@ export interface Immersion {
   readonly relative: Scalar;
   /** Immersed fraction of the volume. */
   readonly immersedFraction: Scalar;
+  /** By how much this fraction grows with depth, 1/m; zero wholly in or out of the fluid. */
+  readonly growth: Scalar;
 }
 
 /** Computes the immersion. Shape 0 is a sphere; all others count as an upright box. */
@@ -81,6 +83,14 @@ export function immersion({ position, hull, collider }: HullSymbols, { up, level
   // A point is either in or out.
   const ofPoint = select(depth.greater(0), 1, -1);
   const d = select(half.greater(0), depth.div(half).min(1).max(-1), ofPoint);
+  const isSphere = hull.shape.equals(0);
   const ofSphere = d.mul(d.square().negate().add(3)).mul(0.25).add(0.5);
-  return { depth, half, relative: d, immersedFraction: select(hull.shape.equals(0), ofSphere, d.mul(0.5).add(0.5)) };
+  const slope = select(isSphere, d.square().negate().add(1).mul(0.75), 0.5);
+  return {
+    depth,
+    half,
+    relative: d,
+    immersedFraction: select(isSphere, ofSphere, d.mul(0.5).add(0.5)),
+    growth: select(d.abs().less(1), slope.div(half), 0),
+  };
 }
