@@ -1,5 +1,5 @@
 // Computes the radius of a collider, and the mass and inertia of its body, from the shape and density given to `spawn`.
-import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
+import { completeHull, isShape, type Shape } from '../collision/shapes/2d/shape.ts';
 import { shapeAt, shapePool } from '../collision/shapes/shape-pool.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber, isRecord, mustBe } from '../errors/validate.ts';
@@ -52,6 +52,7 @@ export function resolveShape<Body extends object>(world: PhysicsWorld, body: Bod
   }
   const radius = shape?.extent ?? fields.radius ?? 0.5;
   const resolved: Record<string, unknown> = { ...body, collider: { ...fields, radius } };
+  if (shape !== undefined) completeHull(resolved, shape);
   if (shape !== undefined || density !== undefined) addMass(world, resolved, solidOf(world, shape, radius), density);
   return { body: resolved as Body, shape };
 }

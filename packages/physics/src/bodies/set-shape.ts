@@ -6,7 +6,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 import { checkShape } from './collider-shape.ts';
 
 /**
- * Gives a body another shape. Mass and inertia stay as they are. During a step it takes effect when the step ends.
+ * Gives a body another shape. Mass, inertia and hull stay as they are. During a step it takes effect when the step ends.
  * @throws PhysicsError E_TYPE, E_RANGE, E_CAPACITY, E_STALE for an entity without Collider, E_DESTROYED: nothing is
  *   changed
  */

@@ -1,6 +1,6 @@
 // Reads a snapshot that another world wrote: what it says of objects is told of those of this world.
 import { isShape, registerShape, type Shape } from '../collision/shapes/2d/shape.ts';
-import { shapeIndex } from '../collision/shapes/store-shape.ts';
+import { SHAPE_FUNCTIONS } from '../collision/shapes/store-shape.ts';
 import { assertIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Block } from '../memory/force-memory.ts';
@@ -272,6 +272,6 @@ function shapeFrom(encoded: Shape): Shape {
   const { vertices, normals, neighbours, centre } = encoded;
   for (const part of [vertices, normals, neighbours, centre]) Object.freeze(part);
   const shape = Object.freeze({ ...encoded, neighbours });
-  registerShape(shape, shapeIndex);
+  registerShape(shape, SHAPE_FUNCTIONS);
   return markImmutable(shape);
 }

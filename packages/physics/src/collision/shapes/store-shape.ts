@@ -5,7 +5,7 @@ import { realBytes } from '../../memory/columns.ts';
 import { SHAPE_BYTES } from '../../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 import { MAX_VERTICES } from './2d/limits.ts';
-import { type Shape, ShapeKind } from './2d/shape.ts';
+import { type Shape, type ShapeFunctions, ShapeKind } from './2d/shape.ts';
 import { type ShapePool, shapePool, shapesOfBodies } from './shape-pool.ts';
 
 /** Records that a pool has at first; it moves to twice the room when they are used up. */
@@ -115,3 +115,16 @@ function isBox([ax, ay, bx, by, cx, cy, dx, dy, ...more]: readonly number[]): bo
   const isRectangle = ax === -cx && ay === -cy && bx === cx && by === ay && dx === ax && dy === cy;
   return isRectangle && more.length === 0;
 }
+
+/** A hull is as high as its shape when it is upright: the circle around a flat box is far higher. */
+function completeHull(body: Record<string, unknown>, { vertices, radius }: Shape): void {
+  const { hull } = body;
+  if (hull === undefined || hull === null) return;
+  const heights = vertices.filter((_, i) => i % 2 === 1);
+  const halfHeight = (Math.max(...heights) - Math.min(...heights)) / 2 + radius;
+  const isList = Array.isArray(hull) || ArrayBuffer.isView(hull);
+  body.hull = { halfHeight, ...(typeof hull === 'object' && !isList ? hull : { volume: hull }) };
+}
+
+/** What `spawn` does with shapes. */
+export const SHAPE_FUNCTIONS: ShapeFunctions = { store: shapeIndex, completeHull };

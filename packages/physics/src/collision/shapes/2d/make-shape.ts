@@ -1,5 +1,5 @@
 import { markImmutable } from '../../../memory/resource.ts';
-import { shapeIndex } from '../store-shape.ts';
+import { SHAPE_FUNCTIONS } from '../store-shape.ts';
 import { massProperties } from './mass-properties.ts';
 import { lengthOf, registerShape, type Shape } from './shape.ts';
 
@@ -28,7 +28,7 @@ export function makeShape(
     neighbours: neighbours && Object.freeze(neighbours.map(fromCentre)),
     centre: Object.freeze({ x: centreX, y: centreY }),
   };
-  registerShape(shape, shapeIndex);
+  registerShape(shape, SHAPE_FUNCTIONS);
   return markImmutable(Object.freeze(shape));
 }
 

@@ -33,22 +33,25 @@ export interface Shape {
 /** A point as shapes are made from. */
 export type PointInput = Pick<VectorInput, 'x' | 'y'>;
 
-/** Puts a shape into the pool of a world and returns its index. */
-export type StoreShape = (world: PhysicsWorld, shape: Shape) => number;
+/** What `spawn` does with a shape. */
+export interface ShapeFunctions {
+  /** Puts a shape into the pool of a world and returns its index. */
+  store(world: PhysicsWorld, shape: Shape): number;
+  /** Gives the hull of a body that is spawned the half height of its shape, unless it has one. */
+  completeHull(body: Record<string, unknown>, shape: Shape): void;
+}
 
-/**
- * How each shape is stored. `spawn` finds the function by the shape, so that a game without shapes does not contain it.
- */
-const stores = new WeakMap<object, StoreShape>();
+/** `spawn` finds the functions by the shape, so that a game without shapes does not contain them. */
+const functions = new WeakMap<object, ShapeFunctions>();
 
-/** Declares that an object is a shape, which this function stores. */
-export function registerShape(shape: Shape, store: StoreShape): void {
-  stores.set(shape, store);
+/** Declares that an object is a shape, with which these functions deal. */
+export function registerShape(shape: Shape, itsFunctions: ShapeFunctions): void {
+  functions.set(shape, itsFunctions);
 }
 
 /** Returns whether a value was made by `circle`, `box`, `capsule`, `polygon`, `segment` or `chain`. */
 export function isShape(value: unknown): value is Shape {
-  return typeof value === 'object' && value !== null && stores.has(value);
+  return typeof value === 'object' && value !== null && functions.has(value);
 }
 
 /**
@@ -56,7 +59,12 @@ export function isShape(value: unknown): value is Shape {
  * @throws PhysicsError E_CAPACITY when the world's memory is full
  */
 export function storeShape(world: PhysicsWorld, shape: Shape): number {
-  return stores.get(shape)?.(world, shape) ?? 0;
+  return functions.get(shape)?.store(world, shape) ?? 0;
+}
+
+/** Gives the hull of a body that is spawned the half height of its shape, unless it has one. */
+export function completeHull(body: Record<string, unknown>, shape: Shape): void {
+  functions.get(shape)?.completeHull(body, shape);
 }
 
 /** Length of a vector. */
