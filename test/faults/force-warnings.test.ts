@@ -8,6 +8,7 @@ import {
   defineLaw,
   driftKickDrift,
   electricField,
+  explicitEuler,
   type Force,
   fixedCharges,
   type Integrator,
@@ -16,17 +17,20 @@ import {
   lift,
   linearDrag,
   magneticField,
+  magnus,
   mutualCoulomb,
   mutualGravity,
   paczynskiWiita,
   pointerPull,
   powerLaw,
+  quadraticDrag,
   type Restrictions,
   randomDrive,
   restrictForce,
   rigidBodies,
   rocketEngines,
   rungeKutta4,
+  semiImplicitEuler,
   softStep,
   spawn,
   springs,
@@ -206,6 +210,57 @@ it('names charges that rigid bodies spiral outwards, with the rate', () => {
   expect(warned(5)).toMatch(/^charges in the magnetic field gain 5.2 % of their speed a second/);
   expect(warned(0.1)).toBe('');
   expect(warned(0.5, softStep({ substeps: 1000 }))).toBe('');
+});
+
+it.each([semiImplicitEuler, explicitEuler, velocityVerlet, rungeKutta4])(
+  'names charges that $name makes faster',
+  (integrator) => {
+    const warned = (field: number) => {
+      const { world, messages } = warnedWorld({ dimensions: 3, integrator, forces: [magneticField({ x: field })] });
+      spawn(world, { position: {}, velocity: { y: 3 }, mass: 1, charge: 1 });
+      step(world, 1e-3);
+      return messages();
+    };
+    // Ω² h/2 with Ω = 5/s.
+    const gains = /^charges in the magnetic field gain 1.3 % of their speed a second, because the integrator is/;
+    const isFirstOrder = integrator.order === 1;
+    expect(warned(5)).toMatch(isFirstOrder ? gains : /^$/);
+    expect(warned(0.1)).toBe('');
+  },
+);
+
+it('names what lift and spin make faster, by as much as it gets faster', () => {
+  const dt = 1 / 60;
+  const flown = (force: Force, init: object, options: object, seconds = 0) => {
+    const { world, messages } = warnedWorld({ precision: 'f64', forces: [force, quadraticDrag()], ...options });
+    const body = { position: {}, velocity: { x: 20 }, mass: 0.0027, rotation: 0, collider: 0.02, ...init };
+    const id = spawn(world, body);
+    step(world, dt);
+    for (let time = dt; time < seconds - dt / 2; time += dt) step(world, dt);
+    const { x, y } = world.components.Velocity;
+    return { said: messages(), speed: Math.sqrt(x[id] * x[id] + y[id] * y[id]) };
+  };
+  const ball = { inertia: 1e-6, angularVelocity: 300 };
+  const omega = (Math.PI * 1.2 * 0.02 ** 3 * 300) / 0.0027;
+  // A step or sub-step multiplies the speed by √(1 + Ω² h²), which the rate of the warning says.
+  const cases = [
+    [{ preset: rigidBodies }, dt / 4],
+    [{ integrator: semiImplicitEuler }, dt],
+  ] as const;
+  for (const [options, h] of cases) {
+    const { said, speed } = flown(magnus({ density: 1.2 }), ball, options, 10);
+    const percent = Number((50 * omega * omega * h).toPrecision(2));
+    expect(said.startsWith(`"Magnus force" makes body 1 faster by ${percent} % a second, though it does no work`)).toBe(
+      true,
+    );
+    // The percentage has two digits, and ln(1 + z) is z - z²/2 with z = Ω² h².
+    expect(Math.log(speed / 20) / 10 / (percent / 100)).toBeCloseTo(1, 1);
+    expect(flown(lift(), { lift: 5e-4 }, options).said).toMatch(/^"lift" makes body 1 faster by/);
+    // Drag takes more than is gained, 20 m/s 1.35·10⁻³ kg/m/2.7 g = 10/s.
+    expect(flown(lift(), { lift: 5e-4, quadraticDrag: 1.35e-3 }, options).said).toBe('');
+  }
+  expect(flown(magnus({ density: 1.2 }), ball, {}).said).toBe('');
+  expect(flown(lift(), { lift: 5e-4 }, { integrator: rungeKutta4 }).said).toBe('');
 });
 
 it('names planets that nothing attracts', () => {

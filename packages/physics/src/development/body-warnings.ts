@@ -117,3 +117,12 @@ function warnAboutEmptyCompounds(world: PhysicsWorld): void {
   };
   warnOnce(world, warning, 'no parts');
 }
+
+export function warnAboutInertiaTensors(world: PhysicsWorld): void {
+  const { InertiaTensor, Orientation, AngularVelocity } = world.internal.counts;
+  if (InertiaTensor <= Math.min(Orientation, AngularVelocity)) return;
+  warnOnce(world, {
+    message: 'some bodies have an InertiaTensor and do not rotate, because they lack Orientation or AngularVelocity.',
+    hint: 'Spawn them with `orientation: {}` and `angularVelocity: {}` as well.',
+  });
+}

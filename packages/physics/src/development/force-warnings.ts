@@ -3,6 +3,7 @@ import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
+import { constantsOf } from './force-parameters.ts';
 
 export function warnAboutForces(world: PhysicsWorld, dt: number): void {
   warnAboutRepeatedForces(world);
@@ -14,7 +15,7 @@ export function warnAboutForces(world: PhysicsWorld, dt: number): void {
   warnAboutFuel(world);
   warnAboutTorques(world);
   warnAboutStrongDrag(world, dt);
-  warnAboutMissingHulls(world);
+  warnAboutStrongAngularDrag(world, dt);
 }
 
 function warnAboutRepeatedForces(world: PhysicsWorld): void {
@@ -61,18 +62,6 @@ const WAVE = 8;
 
 function rowsOf({ memory }: PhysicsWorld, [at, count]: readonly number[]): number[] {
   return [...new Float64Array(memory.buffer, at, WAVE * count)];
-}
-
-/** What the parameters of a law are now. */
-export function constantsOf(
-  world: PhysicsWorld,
-  { sources = [] }: { readonly sources?: readonly ParameterSource[] },
-): number[][] {
-  return sources.map((source) => {
-    const values = new Float64Array(3);
-    source.write(world, values, 0, world.time);
-    return [...values];
-  });
 }
 
 /** What is normal to the plane moves nothing in it. */
@@ -197,24 +186,13 @@ function warnAboutTorques(world: PhysicsWorld): void {
   warnOnce(world, warning, 'torque without AngularVelocity');
 }
 
-/** Water does not know what it carries by its collider. */
-function warnAboutMissingHulls(world: PhysicsWorld): void {
-  const { Hull, Mass, Velocity } = world.internal.counts;
-  const force = world.forces.find(({ name }) => name === 'buoyancy' || name === 'polygon buoyancy');
-  if (force === undefined || Hull > 0 || Mass === 0 || Velocity === 0) return;
-  const warning = {
-    message: `${force.name} has no effect, because no body of this world has a Hull.`,
-    hint: 'Spawn what floats with `hull: volume`, in m³, or `hull: { volume, shape }`: the collider does not say it.',
-  };
-  warnOnce(world, warning, 'no Hull');
-}
-
 /** A drag that takes more than twice the speed of a body in a step throws it back, faster each time. */
 function warnAboutStrongDrag(world: PhysicsWorld, dt: number): void {
   const { isStable } = world.integrator;
   const { LinearDrag, QuadraticDrag, Mass, Velocity } = world.components;
   const acts = (name: string) => world.forces.some((force) => force.name === name);
-  const [hasLinear, hasQuadratic] = [acts('linear drag'), acts('quadratic drag')];
+  const hasBoth = acts('immersed drag') || acts('turbulent drag');
+  const [hasLinear, hasQuadratic] = [hasBoth || acts('linear drag'), hasBoth || acts('quadratic drag')];
   if (isStable === undefined || !(hasLinear || hasQuadratic)) return;
   const rateOf = (id: number) => {
     const { x, y, z } = Velocity;
@@ -230,4 +208,28 @@ function warnAboutStrongDrag(world: PhysicsWorld, dt: number): void {
     hint: `Take steps below ${(1 / rateOf(thrown)).toPrecision(2)} s, a smaller coefficient, or a heavier body.`,
   };
   warnOnce(world, warning, 'strong drag');
+}
+
+/** In worlds of particles a step has one torque, whatever the integrator. */
+const MAX_TURN_LOST = 2;
+
+/** The same of rotation. */
+function warnAboutStrongAngularDrag(world: PhysicsWorld, dt: number): void {
+  const { isStable, solvesWalls } = world.integrator;
+  if (!world.forces.some(({ name }) => name === 'angular drag')) return;
+  const { AngularDrag, Inertia, InertiaTensor, Mass } = world.components;
+  const rateOf = (id: number) => {
+    const moments = [Inertia.value[id], InertiaTensor.x[id], InertiaTensor.y[id], InertiaTensor.z[id]];
+    return AngularDrag.coefficient[id] / Math.min(...moments.filter((moment) => moment > 0));
+  };
+  const turning = bitOf('AngularVelocity');
+  const turns = (id: number) => Mass.value[id] > 0 && (world.internal.members[id] & turning) !== 0;
+  const isCalm = (lost: number) => (solvesWalls === true ? (isStable?.(0, lost) ?? true) : lost <= MAX_TURN_LOST);
+  const thrown = firstRow(world, (id) => turns(id) && rateOf(id) > 0 && !isCalm(rateOf(id) * dt));
+  if (thrown === 0) return;
+  const warning = {
+    message: `the angular drag of body ${thrown} takes more of its spin in a step than it has, and turns it back faster.`,
+    hint: `Take steps below ${(1 / rateOf(thrown)).toPrecision(2)} s, a smaller coefficient, or a larger moment of inertia.`,
+  };
+  warnOnce(world, warning, 'strong angular drag');
 }

@@ -1,6 +1,8 @@
 // Warnings about forces that do not go with the integrator of the world.
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
+import { firstRow } from './first-row.ts';
+import { parameterOf } from './force-parameters.ts';
 
 export function warnAboutSchemes(world: PhysicsWorld, dt: number): void {
   warnAboutVelocities(world);
@@ -37,28 +39,86 @@ function actsOnAnything({ internal }: PhysicsWorld, { reads }: Force): boolean {
   return reads.every((component) => counts[component] !== 0);
 }
 
+/** Schemes of first order that add to a velocity what is perpendicular to it. */
+const LENGTHENING = ['explicit Euler', 'semi-implicit Euler', 'position-first Euler'];
+
 /** Speeds that grow by less in a minute are not worth a word. */
 const SLOW_GROWTH = 0.01;
 
-/** Semi-implicit Euler with the length of a sub-step gains (Ω h)²/2 of the speed in each. */
+/** Such a scheme gains (Ω h)²/2 of the speed in a step or sub-step of h, where a force turns the velocity by Ω, rad/s. */
 function warnAboutGyration(world: PhysicsWorld, dt: number): void {
-  const { solvesWalls, evaluations } = world.integrator;
-  const field = world.forces.find(({ name }) => name.startsWith('magnetic field'));
-  if (solvesWalls !== true || field === undefined) return;
-  const values = new Float64Array(3);
-  field.sources?.[0]?.write(world, values, 0, world.time);
-  const { Charge, Mass } = world.components;
-  let fastest = 0;
-  for (let id = 1; id <= world.lastId; id++) {
-    if (Mass.value[id] > 0) fastest = Math.max(fastest, Math.abs((Charge.value[id] * values[2]) / Mass.value[id]));
+  const { name, solvesWalls, evaluations } = world.integrator;
+  if (solvesWalls !== true && !LENGTHENING.includes(name)) return;
+  const drag = dragRates(world);
+  for (const force of world.forces) {
+    const turning = turningOf(world, force);
+    if (turning === undefined) continue;
+    const rateOf = (id: number) => ((turning(id) * turning(id)) / 2) * (dt / evaluations);
+    const faster = firstRow(
+      world,
+      (id) => world.components.Mass.value[id] > 0 && 60 * (rateOf(id) - drag(id)) > SLOW_GROWTH,
+    );
+    if (faster === 0) continue;
+    const percent = Number((100 * rateOf(faster)).toPrecision(2));
+    const scheme =
+      solvesWalls === true
+        ? 'rigid bodies move by semi-implicit Euler in their sub-steps'
+        : `the integrator is ${name}`;
+    const isField = force.name.startsWith('magnetic field');
+    const gain = isField
+      ? `charges in the magnetic field gain ${percent} % of their speed a second`
+      : `"${force.name}" makes body ${faster} faster by ${percent} % a second, though it does no work`;
+    const other = isField ? 'boris({ field })' : 'velocityVerlet or rungeKutta4';
+    const warning = {
+      message: `${gain}, because ${scheme}.`,
+      hint:
+        solvesWalls === true
+          ? `Take more sub-steps, softStep({ substeps: 64 }), or for ${isField ? 'charges' : 'bodies'} that are discs \`preset: particleContacts\` with ${other}.`
+          : `Take ${other}.`,
+    };
+    warnOnce(world, warning, `gyration: ${force.name}`);
   }
-  const rate = (fastest * fastest * dt) / evaluations / 2;
-  if (!(60 * rate > SLOW_GROWTH)) return;
-  const warning = {
-    message: `charges in the magnetic field gain ${Number((100 * rate).toPrecision(2))} % of their speed a second, because rigid bodies move by semi-implicit Euler in their sub-steps.`,
-    hint: 'Take more sub-steps, softStep({ substeps: 64 }), or for charges that are discs `preset: particleContacts` with boris({ field }).',
+}
+
+type Rate = (id: number) => number;
+
+/** How fast a force that is perpendicular to the velocity turns it, rad/s; undefined for other forces. */
+function turningOf(world: PhysicsWorld, force: Force): Rate | undefined {
+  const { AngularVelocity, Charge, Collider, Lift, Mass, Velocity } = world.components;
+  const name = force.name.replace(' (restricted)', '');
+  const at = (of: string) => parameterOf(world, force, of) ?? [0, 0, 0];
+  if (name === 'magnetic field') {
+    const field = lengthOf(at('field'));
+    return (id) => Math.abs(Charge.value[id] * field) / Mass.value[id];
+  }
+  const wind = at('wind');
+  const flowOf = (id: number) => [Velocity.x[id] - wind[0], Velocity.y[id] - wind[1], Velocity.z[id] - wind[2]];
+  if (name === 'lift') return (id) => (Math.abs(Lift.coefficient[id]) * lengthOf(flowOf(id))) / Mass.value[id];
+  if (name !== 'Magnus force') return undefined;
+  const factor = Math.PI * at('density')[0] * at('coefficient')[0];
+  return (id) => {
+    const [w, radius] = [flowOf(id), Collider.radius[id]];
+    const speed = lengthOf(w);
+    const [x, y, z] = [AngularVelocity.x[id], AngularVelocity.y[id], AngularVelocity.z[id]];
+    const across = lengthOf([y * w[2] - z * w[1], z * w[0] - x * w[2], x * w[1] - y * w[0]]);
+    return speed === 0 ? 0 : (factor * radius * radius * radius * across) / speed / Mass.value[id];
   };
-  warnOnce(world, warning, 'gyration of rigid bodies');
+}
+
+function lengthOf([x, y, z]: readonly number[]): number {
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+/** What drag takes of the speed in a second: where that is more than it gains, nothing gets faster. */
+function dragRates(world: PhysicsWorld): Rate {
+  const { LinearDrag, Mass, QuadraticDrag, Velocity } = world.components;
+  const read = new Set(world.forces.flatMap(({ reads }) => reads));
+  return (id) => {
+    const speed = lengthOf([Velocity.x[id], Velocity.y[id], Velocity.z[id]]);
+    const linear = read.has('LinearDrag') ? LinearDrag.coefficient[id] : 0;
+    const quadratic = read.has('QuadraticDrag') ? QuadraticDrag.coefficient[id] * speed : 0;
+    return (linear + quadratic) / Mass.value[id];
+  };
 }
 
 /** The orbits of Wisdom and Holman are those of the forces between the bodies, and not instead of them. */

@@ -4,9 +4,11 @@ import type { ComponentName } from '../components/all.ts';
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld, Plan, Warning } from '../world/types.ts';
-import { warnAboutBodies, warnAboutMotionByHand } from './body-warnings.ts';
+import { warnAboutBodies, warnAboutInertiaTensors, warnAboutMotionByHand } from './body-warnings.ts';
 import { firstRow } from './first-row.ts';
-import { constantsOf, warnAboutForces } from './force-warnings.ts';
+import { warnAboutFluids } from './fluid-warnings.ts';
+import { constantsOf } from './force-parameters.ts';
+import { warnAboutForces } from './force-warnings.ts';
 import { warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
 import { warnAboutPotentials } from './potential-warnings.ts';
 import { warnAboutSchemes } from './scheme-warnings.ts';
@@ -88,6 +90,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutStrayValues(world);
   warnAboutInertiaTensors(world);
   warnAboutForces(world, dt);
+  warnAboutFluids(world, plan, dt);
   warnAboutSchemes(world, dt);
   warnAboutPotentials(world);
   warnAboutSprings(world);
@@ -387,13 +390,4 @@ function warnAboutSmallBodies(world: PhysicsWorld, dt: number): void {
     hint: 'Contacts are springs that sub-steps can follow: take more of them and stiffer ones, such as softStep({ substeps: 16, contactHertz: 120 }). A body that touches nothing takes `mask: 0`.',
   };
   warnOnce(world, warning, 'small');
-}
-
-function warnAboutInertiaTensors(world: PhysicsWorld): void {
-  const { InertiaTensor, Orientation, AngularVelocity } = world.internal.counts;
-  if (InertiaTensor <= Math.min(Orientation, AngularVelocity)) return;
-  warnOnce(world, {
-    message: 'some bodies have an InertiaTensor and do not rotate, because they lack Orientation or AngularVelocity.',
-    hint: 'Spawn them with `orientation: {}` and `angularVelocity: {}` as well.',
-  });
 }
