@@ -4,8 +4,9 @@
 //   quadratic  F = -k |v - w| (v - w)    fast: Re > 1000           k, kg/m: ρ C_d A / 2 (Rayleigh)
 //
 // The coefficients are the columns LinearDrag and QuadraticDrag; zero, or an absent component, means no drag. Cost:
-// linear one multiply-add per axis; quadratic one square root more. Explicit integrators need c dt/m < 2 and k v dt/m < 1, or
-// drag throws bodies back faster than they came.
+// linear one multiply-add per axis; quadratic one square root more. Explicit integrators need c dt/m < 2 and k v dt/m < 2, or
+// drag throws bodies back faster than they came; and k v dt/m < 1 at a terminal speed v, about which they would oscillate. A warning is
+// given above c dt/m = 2 and k v dt/m = 1.
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import type { Force } from '../world/types.ts';

@@ -6,8 +6,9 @@
 //   k  QuadraticDrag, kg/m    c  LinearDrag, kg/s
 //
 // The coefficients are those of the fully immersed body in this fluid. List no other drag with this one, which would
-// act in the air as well. The fraction of the volume approximates that of the frontal area; they differ by a third at
-// most. Batchelor, An Introduction to Fluid Dynamics, section 5.11. Cost: a square root and a division per body.
+// act in the air as well. The fraction of the volume stands for that of the frontal area. Of a sphere that moves along the
+// surface they differ by 0.04 at most; one that enters vertically already meets the fluid with 0.89 of its disc when 0.26 of the volume
+// are immersed, so that drag comes late. Polygons count as upright boxes of the half height of the hull. Batchelor, An Introduction to Fluid Dynamics, section 5.11. Cost: a square root and a division per body.
 import { Collider } from '../components/collider.ts';
 import { LinearDrag, QuadraticDrag } from '../components/drag.ts';
 import { Hull } from '../components/hull.ts';

@@ -6,7 +6,9 @@
 //   the left wing tip to the right: a body that flies along +x with s = +z is lifted along +y.
 //
 // Kutta (1902), Joukowski (1906); the coefficient is constant, so the angle of attack must be small and steady, or
-// the game changes `Lift.coefficient`. Lift does no work. Anderson, Fundamentals of Aerodynamics, section 1.5. Cost:
+// the game changes `Lift.coefficient`. Lift does no work, but rigid bodies and Euler's schemes make what it turns by Ω = k |w|/m
+// faster as e^(Ω² h t/2), with steps or sub-steps of h: a glider of 3 m/s without drag gains 75 % of its energy in a minute of rigid
+// bodies at 60 Hz. Anderson, Fundamentals of Aerodynamics, section 1.5. Cost:
 // one square root and a cross product per body; in the body's axes in 3D two cross products more.
 import { Lift } from '../components/lift.ts';
 import { defineLaw } from '../dynamics/define-law.ts';

@@ -7,7 +7,9 @@
 //
 // Rubinow and Keller, J. Fluid Mech. 11, 447 (1961), for Re ≪ 1, where C = 1 exactly. Sports balls at Re of 10⁵ have
 // C from 0.1 to 1, depending on spin and roughness: Mehta, Annual Review of Fluid Mechanics 17, 151 (1985). The force
-// does no work and does not slow the spin: add `angularDrag`. Cost: a cross product per body.
+// does no work and does not slow the spin: add `angularDrag`. Rigid bodies and Euler's schemes, which add it to the velocity at once, make
+// what it turns by Ω = C π ρ r³ ω/m faster as e^(Ω² h t/2), with steps or sub-steps of h: a ball of table tennis with 300 rad/s goes
+// from 20 m/s to 25 m/s in 10 s of rigid bodies at 60 Hz; velocity Verlet gains 0.1 %. Cost: a cross product per body.
 import { Collider } from '../components/collider.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
 import { scalar } from '../laws/parameter.ts';

@@ -6,7 +6,9 @@
 //   V  volume of the whole hull, m³: Hull.volume
 //
 // Euler, Scientia navalis (1749); the polygon is cut at the surface and summed by the shoelace formula, so it may be
-// concave. Acts on bodies whose Hull.shape is the given number, rotated by their Rotation. 2D only. A body with
+// concave. Acts on bodies whose Hull.shape is the given number, rotated by their Rotation. Corners are relative to the
+// centre of mass: of a body of the shape `polygon(points)`, which lies at the centroid, they are the points less
+// `polygon(points).centre`. The forces `immersedDrag` and `addedMass` take the hull for an upright box. 2D only. A body with
 // Inertia and AngularVelocity rotates; damp it with `angularDrag`. Cost: a sine and a cosine per body, and about 30
 // operations and a division per edge.
 import { Hull } from '../components/hull.ts';
@@ -25,7 +27,7 @@ import { FLUID, FLUID_VOLUME, type FluidVolume, fluidVolumeValues } from './supp
 export interface PolygonHull {
   /** Number of this polygon in `hull: { volume, shape }` of a body; 2 or more. */
   readonly shape: number;
-  /** Corners in order, m, relative to the centre of mass of an unrotated body. */
+  /** Corners in order, m, relative to the centre of mass of an unrotated body: of `polygon(points)`, the points less its `centre`. */
   readonly vertices: readonly { readonly x: number; readonly y: number }[];
 }
 

@@ -37,7 +37,11 @@ import {
 const savesOf = namedResource('saved forces', (): number[][] => []);
 let depth = 0;
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room */
+/**
+ * Restricts a force to bodies with a component, to a region or to a time. Restricted to a region it has no potential: what it
+ * does is missing from `energy(world)`.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room
+ */
 export function restrictForce(force: Force, limits: Restrictions): Force {
   checkForce(force, 'restrictForce: force');
   const checked = checkRestrictions(limits);
