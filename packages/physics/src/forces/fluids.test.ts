@@ -3,13 +3,16 @@ import { forceOn, lawOn, run, single, slope } from '../../../../test/support/law
 import {
   addedMass,
   angularDrag,
+  box,
   buoyancy,
+  circle,
   createPhysicsWorld,
   energy,
   immersedDrag,
   lift,
   magnus,
   PhysicsError,
+  polygon,
   polygonBuoyancy,
   rungeKutta4,
   sphereDrag,
@@ -171,16 +174,16 @@ test('a balloon has the potential energy of the displaced air, and a hull withou
 
 describe('buoyancy on a polygon', () => {
   const pool = { density: 1000, gravity: { y: -10 }, level: 0 };
-  const box = [
+  const outline = [
     { x: -1, y: -0.5 },
     { x: 1, y: -0.5 },
     { x: 1, y: 0.5 },
     { x: -1, y: 0.5 },
   ];
-  const hull = { shape: 2, vertices: box };
+  const hull = { shape: 2, vertices: outline };
 
   test('an upright rectangle equals an upright box, in either orientation of its vertices', () => {
-    for (const vertices of [box, [...box].reverse()]) {
+    for (const vertices of [outline, [...outline].reverse()]) {
       for (const y of [-0.6, -0.2, 0, 0.4, 0.5, 0.7]) {
         const body = { position: { y }, hull: { volume: 2, shape: 2 } };
         const boxed = { position: { y }, hull: { volume: 2, halfHeight: 0.5, shape: 1 } };
@@ -254,7 +257,7 @@ describe('buoyancy on a polygon', () => {
   test('without a surface the whole hull displaces fluid, and an off-centre hull rotates the body', () => {
     const { level: _, ...everywhere } = pool;
     // The centroid of this polygon is (1, 0).
-    const aside = box.map(({ x, y }) => ({ x: x + 1, y }));
+    const aside = outline.map(({ x, y }) => ({ x: x + 1, y }));
     const body = { position: { y: 3 }, rotation: 0.7, hull: { volume: 2, shape: 2 } };
     const force = lawOn(polygonBuoyancy(everywhere, { shape: 2, vertices: aside }), body);
     expect(force.y).toBeCloseTo(2e4, 9);
@@ -267,14 +270,32 @@ describe('buoyancy on a polygon', () => {
     expect(forceOn(world, eid).y).toBeCloseTo(slope(world, eid).y, 3);
   });
 
+  test('takes the shape of a body, with its centroid at the centre of mass', () => {
+    const triangle = polygon([{ x: 0 }, { x: 3 }, { y: 3 }]);
+    const body = { position: { x: 2, y: 0.3 }, rotation: 0.4, hull: { volume: 4.5, shape: 2 } };
+    const about = [0, 3, 0].map((x, i) => ({ x: x - 1, y: [0, 0, 3][i] - 1 }));
+    const force = lawOn(polygonBuoyancy(pool, { shape: 2, vertices: triangle }), body);
+    const ofCorners = lawOn(polygonBuoyancy(pool, { shape: 2, vertices: about }), body);
+    expect(force.torque).not.toBe(0);
+    for (const component of ['y', 'torque'] as const)
+      expect(force[component] / ofCorners[component]).toBeCloseTo(1, 12);
+    // Wholly immersed it does not turn: 4.5·10⁴ N act at the centre, to rounding.
+    const deep = lawOn(polygonBuoyancy(pool, { shape: 2, vertices: triangle }), { ...body, position: { y: -9 } });
+    expect(Math.abs(deep.torque)).toBeLessThan(4.5e4 * 3 * 1e-14);
+    const rounded = box(1, 1, { rounding: 0.1 });
+    for (const vertices of [rounded, circle(1)]) {
+      expect(() => polygonBuoyancy(pool, { shape: 2, vertices })).toThrow(/without rounding|round parts/);
+    }
+  });
+
   test('is refused in 3D', () => {
     const make = () => createPhysicsWorld({ dimensions: 3, forces: [polygonBuoyancy(pool, hull)] });
     expect(make).toThrow(/law "polygon buoyancy" requires 2 dimensions/);
   });
 
   test('refuses polygons without area', () => {
-    expect(() => polygonBuoyancy(pool, { shape: 2, vertices: box.slice(0, 2) })).toThrow(PhysicsError);
-    expect(() => polygonBuoyancy(pool, { shape: 1, vertices: box })).toThrow(PhysicsError);
+    expect(() => polygonBuoyancy(pool, { shape: 2, vertices: outline.slice(0, 2) })).toThrow(PhysicsError);
+    expect(() => polygonBuoyancy(pool, { shape: 1, vertices: outline })).toThrow(PhysicsError);
     expect(() => buoyancy({ density: 0 })).toThrow(PhysicsError);
     expect(() => buoyancy({ density: 1, gravity: {} })).toThrow(/no direction/);
   });

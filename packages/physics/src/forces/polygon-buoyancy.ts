@@ -7,10 +7,10 @@
 //
 // Euler, Scientia navalis (1749); the polygon is cut at the surface and summed by the shoelace formula, so it may be
 // concave. Acts on bodies whose Hull.shape is the given number, rotated by their Rotation. Corners are relative to the
-// centre of mass: of a body of the shape `polygon(points)`, which lies at the centroid, they are the points less
-// `polygon(points).centre`. The forces `immersedDrag` and `addedMass` take the hull for an upright box. 2D only. A body with
+// centre of mass: a body of the shape `polygon(points)` has its centroid there, so give the shape itself, and not the points. The forces `immersedDrag` and `addedMass` take the hull for an upright box. 2D only. A body with
 // Inertia and AngularVelocity rotates; damp it with `angularDrag`. Cost: a sine and a cosine per body, and about 30
 // operations and a division per edge.
+import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
 import { Hull } from '../components/hull.ts';
 import { Rotation } from '../components/rotation.ts';
 import { defineLaw } from '../dynamics/define-law.ts';
@@ -27,8 +27,8 @@ import { FLUID, FLUID_VOLUME, type FluidVolume, fluidVolumeValues } from './supp
 export interface PolygonHull {
   /** Number of this polygon in `hull: { volume, shape }` of a body; 2 or more. */
   readonly shape: number;
-  /** Corners in order, m, relative to the centre of mass of an unrotated body: of `polygon(points)`, the points less its `centre`. */
-  readonly vertices: readonly { readonly x: number; readonly y: number }[];
+  /** Corners in order, m, relative to the centre of mass of an unrotated body; or its shape, a `polygon` or `box` without rounding. */
+  readonly vertices: readonly { readonly x: number; readonly y: number }[] | Shape;
 }
 
 /** Parameters of both laws below. */
@@ -183,8 +183,20 @@ interface Corner {
   readonly y: number;
 }
 
+/** The corners of a shape, whose origin is its centroid. */
+function cornersOf({ kind, radius, vertices }: Shape): Corner[] {
+  if (kind !== 'polygon' || radius > 0) {
+    throw new PhysicsError('E_RANGE', `polygonBuoyancy.vertices is a ${kind} with round parts of ${radius} m.`, {
+      field: 'polygonBuoyancy.vertices',
+      hint: 'Give a polygon or box without rounding, or a list of corners.',
+    });
+  }
+  return vertices.flatMap((x, i) => (i % 2 === 0 ? [{ x, y: vertices[i + 1] }] : []));
+}
+
 /** Validates the corners and orders them anticlockwise. */
-function anticlockwise(vertices: PolygonHull['vertices']): Corner[] {
+function anticlockwise(given: PolygonHull['vertices']): Corner[] {
+  const vertices = isShape(given) ? cornersOf(given) : given;
   checkList(vertices, 'polygonBuoyancy.vertices');
   const corners = (vertices ?? []).map((vertex, i) => ({
     x: checkNumber(vertex?.x, `polygonBuoyancy.vertices[${i}].x`, POSITION_BOUNDS),
