@@ -42,6 +42,9 @@ const HINGE_BYTES = LOOP_BLOCK / 2;
  */
 const MATRIX_ELEMENTS = 4;
 
+/** What impulses do to trees: half of the rows are bodies of ragdolls, which take 400 bytes each in f32, and more in larger trees. */
+const RESPONSE_BYTES = 256;
+
 /** Memory of joints per entity, bytes: any entity may be a joint. */
 export const JOINT_BYTES_PER_ENTITY =
   ARTICULATED_BODY_BYTES +
@@ -55,8 +58,9 @@ export const JOINT_BYTES_PER_ENTITY =
   HINGE_START_BYTES +
   MECHANISM_BYTES +
   MATRIX_ELEMENTS * 8 +
+  RESPONSE_BYTES +
   6 * 8 +
-  19 * 4;
+  20 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -132,6 +136,8 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
   take(Word.works, JOINT_WORK_BYTES);
   take(Word.rows, ROWS_BYTES);
   take(Word.mechanisms, MECHANISM_BYTES);
+  take(Word.responses, RESPONSE_BYTES);
+  words[Word.responseRoom] = Math.floor((world.rows * RESPONSE_BYTES * lanes) / 16);
   words[Word.matrixRoom] = MATRIX_SIZE * MATRIX_SIZE + MATRIX_ELEMENTS * world.rows;
   words[Word.matrices] = allocate(arena, 8 * words[Word.matrixRoom], 'joints');
   words[Word.loopRows] = allocate(arena, LOOP_ROW_BYTES * MATRIX_SIZE, 'joints');
@@ -149,6 +155,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
     Word.treeJoints,
     Word.treeStarts,
     Word.projected,
+    Word.responseOf,
     Word.mechanismTrees,
     Word.mechanismOf,
   ])

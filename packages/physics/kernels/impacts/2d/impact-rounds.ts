@@ -10,7 +10,16 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { firstEdge, nextEdge, visit } from './contact-edges';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, tangentSpeedAt, excessAt } from './impact';
 import { addImpact } from './impact-list';
-import { lockJoints, memberOf, othersIn, projectImpact, projectImpacts, projectStruck } from './impact-trees';
+import {
+  lockJoints,
+  memberOf,
+  othersIn,
+  passImpulse,
+  projectImpacts,
+  projectStruck,
+  startImpulse,
+  weighTrees,
+} from './impact-trees';
 import { pairStruck } from './paired-impacts';
 import { stop } from './stop-impact';
 
@@ -106,6 +115,7 @@ function chooseStruck(t: RigidTable): void {
 
 function strike(t: RigidTable, index: i32): void {
   const impact = impactAt(t, index);
+  if (impact.isWeighed == 0) impact.held = weighTrees(t, impact) ? 0 : 1;
   for (let i = 0; i < impact.count; i++) {
     const point = pointOf(impact, i);
     point.impulse = 0;
@@ -125,9 +135,10 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
       const impact = impactAt(t, word(t.struck, i));
       const pushed = max<i32>(word(t.pushes, impact.groupA), word(t.pushes, impact.groupB));
       if (t.pass > first && pushed < t.pass - 1) continue;
+      startImpulse(t, impact);
       const changed = stop(t, impact);
       if ((t.struckCount == 1 || t.pass < first + COUPLED_PASSES) && couplesFriction(impact)) applyFriction(impact);
-      if (changed > 0) projectImpact(t, impact);
+      if (changed > 0) passImpulse(t, impact);
       if (changed <= solved) continue;
       change = max<real>(change, changed);
       putWord(t.pushes, impact.groupA, t.pass);

@@ -11,7 +11,8 @@ import {
   startProjections,
   startRound,
 } from '../../joints/2d/project-trees';
-import { word } from '../../solver/2d/body';
+import { addResponse, endResponses, forgetResponses, responseOf } from '../../joints/2d/tree-responses';
+import { BodyState, word } from '../../solver/2d/body';
 import * as block from '../../solver/2d/contact-block';
 import { blockAt, contactOf, laneAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
@@ -34,12 +35,15 @@ const LEAST_SHARE: real = 0.2;
 
 // Makes the joints ready for impacts.
 export function startTrees(t: RigidTable): void {
-  if (t.joints != 0) startProjections(jointsOf(t), t);
+  if (t.joints == 0) return;
+  startProjections(jointsOf(t), t);
+  forgetResponses(jointsOf(t));
 }
 
 // The same before the first sub-step.
 export function foreseeTrees(t: RigidTable): void {
   foreseeProjections(jointsOf(t), t);
+  forgetResponses(jointsOf(t));
 }
 
 // Ends landings before the first sub-step, which makes the matrices of joints again. Returns whether any were locked.
@@ -56,9 +60,10 @@ export function endTrees(t: RigidTable): void {
 export function lockJoints(t: RigidTable, tree: i32, slowest: real): bool {
   if (!lockStruck(jointsOf(t), t, tree, <f64>slowest)) return false;
   projectAgain(jointsOf(t), t, tree);
+  endResponses(jointsOf(t), tree);
   for (let i = 0; i < t.impactCount; i++) {
     const impact = impactAt(t, i);
-    if (impact.treeA == tree || impact.treeB == tree) impact.held = weighTrees(t, impact) ? 0 : 1;
+    if (impact.treeA == tree || impact.treeB == tree) impact.isWeighed = 0;
   }
   return true;
 }
@@ -108,6 +113,58 @@ export function projectImpact(t: RigidTable, impact: Impact): void {
   if (impact.treeB >= 0 && impact.treeB != impact.treeA) projectTree(jointsOf(t), t, impact.treeB);
 }
 
+// The velocities of both bodies of an impact before an impulse, and the columns with which their trees follow it, 0 for none.
+let oldVxA: real = 0;
+let oldVyA: real = 0;
+let oldWA: real = 0;
+let oldVxB: real = 0;
+let oldVyB: real = 0;
+let oldWB: real = 0;
+let columnsA: usize = 0;
+let columnsB: usize = 0;
+
+// Makes an impact ready for an impulse.
+export function startImpulse(t: RigidTable, impact: Impact): void {
+  if (impact.treeA < 0 && impact.treeB < 0) return;
+  columnsA = impact.treeA < 0 ? 0 : responseOf(jointsOf(t), t, impact.treeA, impact.rowA);
+  columnsB = impact.treeB < 0 ? 0 : responseOf(jointsOf(t), t, impact.treeB, impact.rowB);
+  if (impact.treeA == impact.treeB && columnsB == 0) columnsA = 0;
+  if (columnsA == 0 && impact.treeA == impact.treeB) columnsB = 0;
+  const a = changetype<BodyState>(impact.stateA);
+  const b = changetype<BodyState>(impact.stateB);
+  oldVxA = a.vx;
+  oldVyA = a.vy;
+  oldWA = a.w;
+  oldVxB = b.vx;
+  oldVyB = b.vy;
+  oldWB = b.w;
+}
+
+// Passes the impulse since then on to all that joints hold to both bodies.
+export function passImpulse(t: RigidTable, impact: Impact): void {
+  if (impact.treeA < 0 && impact.treeB < 0) return;
+  const a = changetype<BodyState>(impact.stateA);
+  const b = changetype<BodyState>(impact.stateB);
+  const dxA = a.vx - oldVxA;
+  const dyA = a.vy - oldVyA;
+  const dwA = a.w - oldWA;
+  const dxB = b.vx - oldVxB;
+  const dyB = b.vy - oldVyB;
+  const dwB = b.w - oldWB;
+  if (columnsA != 0) {
+    a.vx = oldVxA;
+    a.vy = oldVyA;
+    a.w = oldWA;
+  } else if (impact.treeA >= 0) projectTree(jointsOf(t), t, impact.treeA);
+  if (columnsB != 0) {
+    b.vx = oldVxB;
+    b.vy = oldVyB;
+    b.w = oldWB;
+  } else if (impact.treeB >= 0 && impact.treeB != impact.treeA) projectTree(jointsOf(t), t, impact.treeB);
+  if (columnsA != 0) addResponse(jointsOf(t), t, impact.treeA, columnsA, dxA, dyA, dwA);
+  if (columnsB != 0) addResponse(jointsOf(t), t, impact.treeB, columnsB, dxB, dyB, dwB);
+}
+
 // The same of the impulses of all impacts, by one projection a tree.
 export function projectImpacts(t: RigidTable): void {
   if (t.joints == 0) return;
@@ -130,15 +187,18 @@ export function projectStruck(t: RigidTable): void {
 // Measures the effective masses of a contact with all that joints hold to its bodies, by impulses that are taken back. Returns
 // false if joints keep its points where they are.
 export function weighTrees(t: RigidTable, impact: Impact): bool {
+  impact.isWeighed = 1;
   if (impact.treeA < 0 && impact.treeB < 0) return true;
-  projectImpact(t, impact);
+  startImpulse(t, impact);
+  if (columnsA == 0 && columnsB == 0) projectImpact(t, impact);
   const p = pointOf(impact, 0);
-  if (impact.count < 2) return setMass(p, tryImpulse(t, impact, p, p));
   const q = pointOf(impact, 1);
-  const pp = tryImpulse(t, impact, p, p);
-  const qq = tryImpulse(t, impact, q, q);
+  const pp = tryImpulse(t, impact, p, q);
+  const pq = otherResponse;
+  if (impact.count < 2) return setMass(p, pp);
+  const qq = tryImpulse(t, impact, q, p);
   const most = sqrt<real>(pp * qq);
-  impact.coupling = max<real>(-most, min<real>(most, tryImpulse(t, impact, p, q)));
+  impact.coupling = max<real>(-most, min<real>(most, pq));
   const moves = setMass(p, pp);
   return setMass(q, qq) && moves;
 }
@@ -150,17 +210,28 @@ function setMass(point: ImpactPoint, response: real): bool {
   return true;
 }
 
-// The speed that an impulse of 1 N s at a point gives another, 1/kg: the larger of those there and back. They differ where a joint to
+// The same of the other point, after `tryImpulse`.
+let otherResponse: real = 0;
+
+// The speed that an impulse of 1 N s at a point gives it, 1/kg: the larger of those there and back. They differ where a joint to
 // what does not move, which is a little softer than rigid, leaves something for the next projection; too small a mass only takes more
 // passes, too large a one would diverge.
-function tryImpulse(t: RigidTable, impact: Impact, at: ImpactPoint, seen: ImpactPoint): real {
-  const before = normalSpeedAt(impact, seen);
+function tryImpulse(t: RigidTable, impact: Impact, at: ImpactPoint, other: ImpactPoint): real {
+  const first = normalSpeedAt(impact, at);
+  const firstOther = normalSpeedAt(impact, other);
+  startImpulse(t, impact);
   applyNormalImpulse(impact, at, at.ownMass);
-  projectImpact(t, impact);
-  const pushed = normalSpeedAt(impact, seen);
+  passImpulse(t, impact);
+  const pushed = normalSpeedAt(impact, at);
+  const pushedOther = normalSpeedAt(impact, other);
+  startImpulse(t, impact);
   applyNormalImpulse(impact, at, -at.ownMass);
-  projectImpact(t, impact);
-  const there = pushed - before;
-  const back = pushed - normalSpeedAt(impact, seen);
-  return (abs<real>(there) > abs<real>(back) ? there : back) / at.ownMass;
+  passImpulse(t, impact);
+  otherResponse = larger(pushedOther - firstOther, pushedOther - normalSpeedAt(impact, other)) / at.ownMass;
+  return larger(pushed - first, pushed - normalSpeedAt(impact, at)) / at.ownMass;
+}
+
+// @ts-ignore: decorator
+@inline function larger(a: real, b: real): real {
+  return abs<real>(a) > abs<real>(b) ? a : b;
 }

@@ -18,8 +18,9 @@ export class Impact {
   place: i32;
   listed: i32;
   count: i32;
-  // Whether joints and their limits keep its points from moving.
+  // Whether joints and their limits keep its points from moving, and whether these are as they were when it was found out.
   held: i32;
+  isWeighed: i32;
   // One more than the index of another impact of the same body that is stopped with this one, 0 for none (paired-impacts.ts).
   partner: i32;
   nx: real;
