@@ -87,7 +87,7 @@ describe('edits during a step', () => {
     inside(world, () => {
       if (told++ > 0) return;
       despawn(world, eid);
-      during = isBody(world, eid) && entityExists(world, eid);
+      during = !isBody(world, eid) && entityExists(world, eid);
     });
     step(world, DT);
     expect(during).toBe(true);
@@ -322,6 +322,20 @@ describe('what games do in handlers', () => {
     step(world, DT);
     expect(alive).toEqual([true, false]);
     expect([isBody(world, bullet), bodies(world).count]).toEqual([false, 2]);
+  });
+
+  it('a list that names a body six times makes a game split it once', () => {
+    const world = createPhysicsWorld({ preset: particleContacts, capacity: 10 });
+    const crate = spawn(world, { position: {}, velocity: {}, mass: 1 });
+    world.phases.events.push(() => {
+      for (const id of [crate, crate, crate, crate, crate, crate]) {
+        if (!isBody(world, id)) continue;
+        despawn(world, id);
+        for (const x of [-1, 1]) spawn(world, { position: { x }, mass: 0.5 });
+      }
+    });
+    step(world, DT);
+    expect(bodies(world).count).toBe(2);
   });
 
   it('a body spawned during a step can be used only after it, and the error says so', () => {

@@ -89,13 +89,14 @@ export function resolve(world: PhysicsWorld, ref: EntityRef): number {
   );
 }
 
-/** Returns whether `eid` is a body. @throws PhysicsError E_DESTROYED */
+/** Returns whether `eid` is a body, and was not despawned in this step. @throws PhysicsError E_DESTROYED */
 export function isBody(world: PhysicsWorld, eid: number): boolean {
   assertUsable(world);
-  return hasBody(world, eid);
+  return hasBody(world, eid) && !isLeaving(world, eid);
 }
 
-function hasBody(world: PhysicsWorld, eid: number): boolean {
+/** Whether a row has a body: one that was despawned moves on until the step ends. */
+export function hasBody(world: PhysicsWorld, eid: number): boolean {
   return isRow(world, eid) && (world.internal.members[eid] & bitOf('Position')) !== 0;
 }
 
@@ -112,8 +113,9 @@ export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
  * @throws PhysicsError E_STALE if `eid` is not a body, E_DESTROYED
  */
 export function assertBody(world: PhysicsWorld, eid: number): void {
+  assertUsable(world);
   // During a step the rows do not know yet that an entity was removed through bitECS.
-  const isKnown = isBody(world, eid);
+  const isKnown = hasBody(world, eid);
   const exists = isRow(world, eid) && entityExists(world, eid);
   if (isKnown && exists) return;
   if (world.state === 'stepping' && exists) {

@@ -1,7 +1,7 @@
 // Edges or triangles of a soft body, copied to the world's memory for kernels: the first corners of all faces, the
 // second corners and so on, then the generations of all corners in the same order.
 
-import { assertBody, isBody } from '../ecs/entity-ref.ts';
+import { assertBody, hasBody } from '../ecs/entity-ref.ts';
 import { assertBelongs } from '../ecs/id-lists.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { type ForceMemory, forceMemory, type TakeBytes } from '../memory/force-memory.ts';
@@ -77,7 +77,7 @@ function copyFaces(world: PhysicsWorld, take: TakeBytes, { ids, corners, field }
     const word = count * (i % corners) + Math.floor(i / corners);
     words[word] = ids[i];
     // No generation is this high, so a node that does not exist counts as removed.
-    words[word + ids.length] = isBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
+    words[word + ids.length] = hasBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
   }
   return { at, count, sections, membership: -1 };
 }
