@@ -112,6 +112,8 @@ export class RigidTable {
   staticNodes: usize;
   staticNodeCount: i32;
   staticTreeValid: i32;
+  // Rows that came and went since the static tree was made.
+  staticChanges: i32;
   movingNodes: usize;
   movingNodeCount: i32;
   movingTreeValid: i32;

@@ -14,13 +14,14 @@ export class TreeNode {
   maxX: real;
   maxY: real;
   skip: i32;
-  // Of a leaf; 0 of an inner node.
+  // Of a leaf, below 0 if its body is gone (patch-tree.ts); 0 of an inner node.
   row: i32;
   // Whether a box in it changed in this step that may find others.
   changed: i32;
 }
 
-const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
+// @ts-ignore: decorator
+@inline export const NODE: usize = (offsetof<TreeNode>() + sizeof<real>() - 1) & ~(sizeof<real>() - 1);
 
 // @ts-ignore: decorator
 @inline export function nodeAt(nodes: usize, i: i32): TreeNode {
@@ -50,7 +51,7 @@ class TreeRow {
   while (at < count) {
     const node = nodeAt(nodes, at);
     if (!overlaps(changetype<FatBox>(node), box)) at = node.skip;
-    else if (node.row != 0) return at;
+    else if (node.row > 0) return at;
     else at++;
   }
   return count;
@@ -148,6 +149,7 @@ export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
   let perimeter: f64 = 0;
   for (let i = count - 1; i >= 0; i--) {
     const node = nodeAt(nodes, i);
+    if (node.row < 0) continue;
     if (node.row != 0) {
       const box = rowBox(t, node.row);
       node.changed = mayFind(t, node.row) ? 1 : 0;

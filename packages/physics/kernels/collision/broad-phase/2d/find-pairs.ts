@@ -5,6 +5,7 @@ import { RigidTable } from '../../../solver/2d/rigid-table';
 import { addContacts } from '../../narrow-phase/2d/contact-list';
 import { buildTree, hasChanged, refitTree } from './box-tree';
 import { updateBoxes } from './fat-boxes';
+import { patchTree } from './patch-tree';
 import { sortKeys } from './sort-keys';
 import { findBetween, findWithin } from './tree-pairs';
 
@@ -32,7 +33,10 @@ export function findRigidPairs(table: usize): void {
 
 function updateStaticTree(t: RigidTable): void {
   if (t.staticTreeValid == 0) {
-    t.staticNodeCount = buildTree(t, t.staticNodes, STATIC);
+    if (!patchTree(t)) {
+      t.staticNodeCount = buildTree(t, t.staticNodes, STATIC);
+      t.staticChanges = 0;
+    }
     t.staticTreeValid = 1;
   } else if (t.enlargedStatics == 0 && !hasChanged(t.staticNodes, t.staticNodeCount)) {
     // Also in the step after a change they are brought up to date, which takes its marks away.

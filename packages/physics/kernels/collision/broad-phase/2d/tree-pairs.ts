@@ -36,7 +36,7 @@ function walk(t: RigidTable, nodesA: usize, a: i32, nodesB: usize, b: i32): void
   const nodeA = nodeAt(nodesA, a);
   const nodeB = nodeAt(nodesB, b);
   if (nodeA.row != 0 && nodeB.row != 0) {
-    if (mayCollide(t, nodeA.row, nodeB.row)) notePair(t, nodeA.row, nodeB.row);
+    if ((nodeA.row | nodeB.row) > 0 && mayCollide(t, nodeA.row, nodeB.row)) notePair(t, nodeA.row, nodeB.row);
     return;
   }
   const firstB = nodeB.row == 0 ? b + 1 : b;

@@ -84,7 +84,7 @@ function collectIn(t: RigidTable, q: BodyQuery, nodes: usize, count: i32): void 
     }
     i++;
     const row = node.row;
-    if (row == 0 || (flagsOf(t, row) & (COLLIDES | WALL)) != COLLIDES) continue;
+    if (row <= 0 || (flagsOf(t, row) & (COLLIDES | WALL)) != COLLIDES) continue;
     putWord(q.candidates, q.candidateCount++, row);
   }
 }
