@@ -48,8 +48,11 @@ export function bounceInRounds(t: RigidTable, slowest: real): void {
     if (t.approachingCount == 0) break;
     chooseStruck(t);
     solveStruck(t, MAX_PASSES, (t.isLanding != 0 ? LAST_SOLVED : SOLVED) * slowest);
-    for (let i = 0; i < t.struckCount; i++) throwBack(impactAt(t, word(t.struck, i)));
-    projectStruck(t);
+    // What lands is not thrown back, and its trees have followed each impulse.
+    if (t.isLanding == 0) {
+      for (let i = 0; i < t.struckCount; i++) throwBack(impactAt(t, word(t.struck, i)));
+      projectStruck(t);
+    }
     for (let i = 0; i < t.struckCount; i++) {
       const impact = impactAt(t, word(t.struck, i));
       reachGroup(t, impact.rowA, impact.treeA, impact.groupA, round, slowest);
