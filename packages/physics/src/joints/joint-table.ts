@@ -42,8 +42,8 @@ const HINGE_BYTES = LOOP_BLOCK / 2;
  */
 const MATRIX_ELEMENTS = 4;
 
-/** What impulses do to trees: half of the rows are bodies of ragdolls, which take 400 bytes each in f32, and more in larger trees. */
-const RESPONSE_BYTES = 256;
+/** What impulses do to trees: by joint, room for nine of eleven bones of a ragdoll in f32. */
+const RESPONSE_BYTES = 384;
 
 /** Memory of joints per entity, bytes: any entity may be a joint. */
 export const JOINT_BYTES_PER_ENTITY =
@@ -60,7 +60,7 @@ export const JOINT_BYTES_PER_ENTITY =
   MATRIX_ELEMENTS * 8 +
   RESPONSE_BYTES +
   6 * 8 +
-  20 * 4;
+  21 * 4;
 
 /** The columns of Joint that the kernels read, in the order of the table. */
 const COLUMNS = [
@@ -137,7 +137,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
   take(Word.rows, ROWS_BYTES);
   take(Word.mechanisms, MECHANISM_BYTES);
   take(Word.responses, RESPONSE_BYTES);
-  words[Word.responseRoom] = Math.floor((world.rows * RESPONSE_BYTES * lanes) / 16);
+  words[Word.responseRoom] = (RESPONSE_BYTES * lanes) / 16;
   words[Word.matrixRoom] = MATRIX_SIZE * MATRIX_SIZE + MATRIX_ELEMENTS * world.rows;
   words[Word.matrices] = allocate(arena, 8 * words[Word.matrixRoom], 'joints');
   words[Word.loopRows] = allocate(arena, LOOP_ROW_BYTES * MATRIX_SIZE, 'joints');
@@ -156,6 +156,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
     Word.treeStarts,
     Word.projected,
     Word.responseOf,
+    Word.responsesIn,
     Word.mechanismTrees,
     Word.mechanismOf,
   ])

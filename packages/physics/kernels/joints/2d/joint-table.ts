@@ -113,10 +113,11 @@ export class JointTable {
   // By tree: in which round of projections it was projected last (project-trees.ts).
   projected: usize;
   projections: i32;
-  // What impulses on a body do to its tree (tree-responses.ts): the numbers, real; by row of the body where its own are; and how many
-  // there are, and may be.
+  // What impulses on a body do to its tree (tree-responses.ts): the numbers, real; by row of the body where its own are; by tree how many
+  // it has; how many there are together, and how many there is room for by joint.
   responses: usize;
   responseOf: usize;
+  responsesIn: usize;
   responseCount: i32;
   responseRoom: i32;
   // By row of a body: class JointedBody, the set it belongs to, its first joint in `next`, which has two entries for each

@@ -26,6 +26,7 @@ const HOLDS: i32 = 1;
 // Forgets all columns.
 export function forgetResponses(t: JointTable): void {
   for (let i = 0; i < t.bodyCount; i++) putWord(t.responseOf, word(t.bodyRows, i), 0);
+  for (let tree = 0; tree < t.rootCount; tree++) putWord(t.responsesIn, tree, 0);
   t.responseCount = 0;
 }
 
@@ -54,12 +55,15 @@ export function responseOf(t: JointTable, rigid: RigidTable, tree: i32, row: i32
   return t.responses + <usize>((place >> 1) - 1) * sizeof<real>();
 }
 
+// Each tree has room for itself, so that what it does depends on no other, and not on the capacity of the world.
 function makeRoom(t: JointTable, tree: i32): i32 {
-  const end = t.responseCount + NUMBERS * (jointsOfTree(t, tree) + 1);
-  if (end > t.responseRoom || (t.mechanismCount > 0 && mechanismOf(t, tree) >= 0)) return 0;
-  const place = (t.responseCount + 1) << 1;
-  t.responseCount = end;
-  return place;
+  const joints = jointsOfTree(t, tree);
+  const used = word(t.responsesIn, tree);
+  const numbers = NUMBERS * (joints + 1);
+  if (used + numbers > t.responseRoom * joints || (t.mechanismCount > 0 && mechanismOf(t, tree) >= 0)) return 0;
+  putWord(t.responsesIn, tree, used + numbers);
+  t.responseCount += numbers;
+  return (t.responseRoom * word(t.treeStarts, tree) + used + 1) << 1;
 }
 
 // The projection at the end leaves the velocities of the tree where trees keep them.
