@@ -23,10 +23,10 @@ function callTo(maker: string) {
 }
 
 test('the page lists the options of a call, with those of the types that an option type extends', () => {
-  expect(callTo('immersedDrag').call).toBe('immersedDrag({ density, gravity?, level?, flow? })');
+  expect(callTo('immersedDrag').call).toBe('immersedDrag({ density, gravity?, level?, flow?, waves? })');
   expect(callTo('wing').call).toMatch(/^wing\(\{ area, lift, drag, position\?, /);
   expect(callTo('vortex').call).toBe('vortex({ strength, radius, centre?, centreVelocity? })');
-  expect(callTo('addedMass').call).toBe('addedMass({ density, gravity?, level?, flow? }, coefficient?)');
+  expect(callTo('addedMass').call).toBe('addedMass({ density, gravity?, level?, flow?, waves? }, coefficient?)');
   expect(callTo('springs').call).toBe('springs()');
   expect(callTo('uniformGravity')).toEqual({
     call: 'uniformGravity(acceleration?)',

@@ -10,6 +10,8 @@
 // for the kinetic energy ½ m v² + ½ A w². The part of the fluid, ½ A w², is not in `energy(world)`; the sum is kept as
 // a body enters and leaves. No energy goes into spray and waves, and what moves along the surface is drawn in by ½ w² ∇A.
 //
+// In waves the fluid has an acceleration u̇ of its own, with which what it surrounds has the force A u̇ as well (Morison).
+//
 // It changes accelerations by forces of laws. Contacts, joints and walls know the mass m alone: of the weight of a
 // wet stone the ground then carries the part m/(m + A), and a float lifts as much less of what hangs from it. For such
 // bodies, wholly immersed, leave it out: give them `mass: m + A` and `gravityScale: m / (m + A)`, which is exact.
@@ -24,7 +26,15 @@ import { checkNumber } from '../errors/validate.ts';
 import { type Scalar, select, type Vector } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { FLUID_VOLUME, type FluidVolume, fluidVolumeValues, immersion } from './support/fluid-volume.ts';
+import {
+  FLUID_VOLUME,
+  type FluidVolume,
+  fluidVolumeValues,
+  type Immersion,
+  immersion,
+  immersionAt,
+} from './support/fluid-volume.ts';
+import { WAVES, waveAt } from './support/waves.ts';
 
 const about = {
   name: 'added mass',
@@ -52,18 +62,51 @@ const unbounded = /* @__PURE__ */ defineLaw({
   acceleration: (body, { density: rho, coefficient: c }) => accelerationChange(body, c.mul(rho).mul(body.hull.volume)),
 });
 
+const SURFACE = /* @__PURE__ */ {
+  density,
+  up: FLUID_VOLUME.up,
+  level: FLUID_VOLUME.level,
+  flow: vector('m/s'),
+  coefficient,
+};
+
+type Body = Parameters<typeof accelerationChange>[0] & { readonly hull: { readonly volume: Scalar } };
+
+/** The added mass, kg, and the acceleration by its gradient where the body moves at w relative to the fluid, m/s². */
+function ofSurface(
+  body: Body,
+  fluid: { readonly density: Scalar; readonly coefficient: Scalar },
+  { immersedFraction, growth }: Immersion,
+  normal: Vector,
+  w: Vector,
+): { readonly added: Scalar; readonly acceleration: Vector } {
+  const whole = fluid.coefficient.mul(fluid.density).mul(body.hull.volume);
+  const added = whole.mul(immersedFraction);
+  // The gradient of the added mass is against the normal, because it grows with depth.
+  const slope = partOf(whole.mul(growth), body.mass.add(added));
+  const change = w.mul(w.dot(normal)).sub(normal.mul(w.lengthSquared().mul(0.5)));
+  return { added, acceleration: change.mul(slope) };
+}
+
 const withSurface = /* @__PURE__ */ defineLaw({
   ...about,
-  parameters: { density, up: FLUID_VOLUME.up, level: FLUID_VOLUME.level, flow: vector('m/s'), coefficient },
+  parameters: SURFACE,
   acceleration(body, fluid) {
-    const { immersedFraction, growth } = immersion(body, fluid);
-    const whole = fluid.coefficient.mul(fluid.density).mul(body.hull.volume);
-    const added = whole.mul(immersedFraction);
-    // The gradient of the added mass is -slope up, because it grows with depth.
-    const slope = partOf(whole.mul(growth), body.mass.add(added));
     const w = body.velocity.sub(fluid.flow);
-    const ofSurface = w.mul(w.dot(fluid.up)).sub(fluid.up.mul(w.lengthSquared().mul(0.5)));
-    return accelerationChange(body, added).add(ofSurface.mul(slope));
+    const { added, acceleration } = ofSurface(body, fluid, immersion(body, fluid), fluid.up, w);
+    return accelerationChange(body, added).add(acceleration);
+  },
+});
+
+const withWaves = /* @__PURE__ */ defineLaw({
+  ...about,
+  parameters: { ...SURFACE, ...WAVES },
+  acceleration(body, fluid) {
+    const wave = waveAt(body.position, fluid);
+    const w = body.velocity.sub(fluid.flow).sub(wave.velocity);
+    const { added, acceleration } = ofSurface(body, fluid, immersionAt(wave.depth, body), wave.normal, w);
+    const ofFluid = wave.acceleration.mul(partOf(added, body.mass.add(added)));
+    return accelerationChange(body, added).add(acceleration).add(ofFluid);
   },
 });
 
@@ -74,10 +117,12 @@ const withSurface = /* @__PURE__ */ defineLaw({
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function addedMass(fluidVolume: FluidVolume, coefficient = 0.5): Force {
-  const { fluid, level, flow } = fluidVolumeValues(fluidVolume, 'addedMass');
+  const { fluid, level, flow, waves } = fluidVolumeValues(fluidVolume, 'addedMass');
   const given = {
     density: fluid.density,
     coefficient: checkNumber(coefficient, 'addedMass.coefficient', { min: 0, max: 100 }),
   };
-  return level === undefined ? unbounded(given) : withSurface({ ...given, up: fluid.up, level, flow });
+  if (level === undefined) return unbounded(given);
+  const surface = { ...given, up: fluid.up, level, flow };
+  return waves === undefined ? withSurface(surface) : withWaves({ ...surface, ...waves });
 }

@@ -7,8 +7,11 @@
 //
 //   ρ  density of the fluid, kg/m³    V  volume, m³: Hull.volume    g  gravity, m/s²    R  half height, m
 //
-// Archimedes, On Floating Bodies, proposition 5. Valid for a level surface and slow motion: no waves, no pressure
-// drag (`immersedDrag`), no accelerated fluid (`addedMass`). Without a level the fluid is unbounded and f = 1, as for
+// With `waves`, in which the fluid has the acceleration u̇ (support/waves.ts), F = -ρ V f (g - u̇): hulls that are much shorter than the
+// waves ride on them, and what is as dense as the fluid goes with it. There is no potential then, because waves do work.
+//
+// Archimedes, On Floating Bodies, proposition 5. Valid for slow motion: no pressure drag (`immersedDrag`), no fluid that
+// the body accelerates (`addedMass`). Without a level the fluid is unbounded and f = 1, as for
 // a balloon. For rotating polygons see `polygonBuoyancy`. Cost: about 20 operations and one division per body.
 import { Collider } from '../components/collider.ts';
 import { Hull } from '../components/hull.ts';
@@ -22,7 +25,9 @@ import {
   fluidVolumeValues,
   type HullSymbols,
   immersion,
+  immersionAt,
 } from './support/fluid-volume.ts';
+import { WAVES, waveAt } from './support/waves.ts';
 
 const about = {
   name: 'buoyancy',
@@ -30,9 +35,14 @@ const about = {
   source: 'Archimedes, On Floating Bodies, proposition 5.',
 };
 
-/** Weight of the fluid in the whole volume of a sphere or box, N. */
-function weight({ hull }: HullSymbols, { density, gravity }: { density: Scalar; gravity: Scalar }): Scalar {
-  return density.mul(gravity).mul(select(hull.shape.lessOrEqual(1), hull.volume, 0));
+/** Volume of a sphere or box, m³; hulls of other shapes are not of this force. */
+function volumeOf({ hull }: HullSymbols): Scalar {
+  return select(hull.shape.lessOrEqual(1), hull.volume, 0);
+}
+
+/** Weight of the fluid in the whole volume, N. */
+function weight(body: HullSymbols, { density, gravity }: { density: Scalar; gravity: Scalar }): Scalar {
+  return density.mul(gravity).mul(volumeOf(body));
 }
 
 const unbounded = /* @__PURE__ */ defineLaw({
@@ -57,8 +67,21 @@ const withSurface = /* @__PURE__ */ defineLaw({
   },
 });
 
+const withWaves = /* @__PURE__ */ defineLaw({
+  ...about,
+  formula: 'F = -ρ V f (g - u̇)',
+  reads: { hull: Hull, collider: Collider },
+  parameters: { ...FLUID_VOLUME, ...WAVES },
+  force(body, fluid) {
+    const { depth, acceleration } = waveAt(body.position, fluid);
+    const displaced = fluid.density.mul(volumeOf(body)).mul(immersionAt(depth, body).immersedFraction);
+    return fluid.up.mul(fluid.gravity).add(acceleration).mul(displaced);
+  },
+});
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function buoyancy(fluidVolume: FluidVolume): Force {
-  const { fluid, level } = fluidVolumeValues(fluidVolume, 'buoyancy');
-  return level === undefined ? unbounded(fluid) : withSurface({ ...fluid, level });
+  const { fluid, level, waves } = fluidVolumeValues(fluidVolume, 'buoyancy');
+  if (level === undefined) return unbounded(fluid);
+  return waves === undefined ? withSurface({ ...fluid, level }) : withWaves({ ...fluid, level, ...waves });
 }

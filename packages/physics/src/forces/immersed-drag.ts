@@ -16,7 +16,8 @@ import { defineLaw } from '../dynamics/define-law.ts';
 import type { Scalar, Vector } from '../laws/expression.ts';
 import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
-import { type FluidVolume, fluidVolumeValues, immersion } from './support/fluid-volume.ts';
+import { type FluidVolume, fluidVolumeValues, immersion, immersionAt } from './support/fluid-volume.ts';
+import { WAVES, waveAt } from './support/waves.ts';
 
 const about = {
   name: 'immersed drag',
@@ -45,8 +46,22 @@ const withSurface = /* @__PURE__ */ defineLaw({
   },
 });
 
+const withWaves = /* @__PURE__ */ defineLaw({
+  ...about,
+  reads: { k: QuadraticDrag, c: LinearDrag, hull: Hull, collider: Collider },
+  parameters: { up: vector(''), level: scalar('m'), flow: vector('m/s'), ...WAVES },
+  force(body, fluid) {
+    const { depth, velocity } = waveAt(body.position, fluid);
+    const { immersedFraction } = immersionAt(depth, body);
+    const w = body.velocity.sub(fluid.flow).sub(velocity);
+    return drag(w, body.k.mul(immersedFraction), body.c.mul(immersedFraction));
+  },
+});
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function immersedDrag(fluidVolume: FluidVolume): Force {
-  const { fluid, level, flow } = fluidVolumeValues(fluidVolume, 'immersedDrag');
-  return level === undefined ? unbounded({ flow }) : withSurface({ up: fluid.up, level, flow });
+  const { fluid, level, flow, waves } = fluidVolumeValues(fluidVolume, 'immersedDrag');
+  if (level === undefined) return unbounded({ flow });
+  const surface = { up: fluid.up, level, flow };
+  return waves === undefined ? withSurface(surface) : withWaves({ ...surface, ...waves });
 }

@@ -23,6 +23,7 @@ import { type ForceMemory, forceMemory } from '../memory/force-memory.ts';
 import type { Force } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 import { FLUID, FLUID_VOLUME, type FluidVolume, fluidVolumeValues } from './support/fluid-volume.ts';
+import { WAVES, waveAt } from './support/waves.ts';
 
 export interface PolygonHull {
   /** Number of this polygon in `hull: { volume, shape }` of a body; 2 or more. */
@@ -54,15 +55,24 @@ interface FluidSymbols {
   readonly shape: Scalar;
 }
 
-/** Weight of the fluid displaced by a whole hull of this shape, N. */
-function weight({ hull }: HullSymbols, { density, gravity, shape }: FluidSymbols): Scalar {
-  return density.mul(gravity).mul(select(hull.shape.equals(shape), hull.volume, 0));
+/** Mass of the fluid displaced by a whole hull of this shape, kg. */
+function displacement({ hull }: HullSymbols, { density, shape }: Omit<FluidSymbols, 'gravity' | 'up'>): Scalar {
+  return density.mul(select(hull.shape.equals(shape), hull.volume, 0));
 }
 
-/** The upward direction in the body's frame. */
-function upOf({ angle }: HullSymbols, { up }: FluidSymbols): Vector {
+/** Its weight, N. */
+function weight(body: HullSymbols, fluid: FluidSymbols): Scalar {
+  return displacement(body, fluid).mul(fluid.gravity);
+}
+
+/** A vector in the body's frame. */
+function toBody({ angle }: HullSymbols, { x, y }: Vector): Vector {
   const [c, s] = [angle.cos(), angle.sin()];
-  return vec3(up.x.mul(c).add(up.y.mul(s)), up.y.mul(c).sub(up.x.mul(s)));
+  return vec3(x.mul(c).add(y.mul(s)), y.mul(c).sub(x.mul(s)));
+}
+
+function upOf(body: HullSymbols, { up }: FluidSymbols): Vector {
+  return toBody(body, up);
 }
 
 const unbounded = /* @__PURE__ */ defineLaw({
@@ -89,8 +99,7 @@ interface Submerged {
 /** A corner of the polygon, and the vector to the next corner. */
 const EDGE = ['x', 'y', 'dx', 'dy'] as const;
 
-interface OutlineSymbols extends FluidSymbols {
-  readonly level: Scalar;
+interface OutlineSymbols {
   /** Maximum distance of a corner from the centre of mass, m. */
   readonly extent: Scalar;
   readonly edges: Table<(typeof EDGE)[number]>;
@@ -100,21 +109,44 @@ type FloatingSymbols = HullSymbols & { readonly position: Vector };
 
 const submergedParts = /* @__PURE__ */ new WeakMap<HullSymbols, Submerged>();
 
-/** Returns the immersed part, cached because force and torque share the same sums. */
-function submerged(body: FloatingSymbols, fluid: OutlineSymbols): Submerged {
-  const immersed = submergedParts.get(body) ?? cutOutline(body, fluid);
+/** Returns the immersed part under a level surface, cached because force and torque share the same sums. */
+function submerged(
+  body: FloatingSymbols,
+  fluid: OutlineSymbols & FluidSymbols & { readonly level: Scalar },
+): Submerged {
+  const immersed =
+    submergedParts.get(body) ?? cutOutline(fluid, upOf(body, fluid), fluid.level.sub(fluid.up.dot(body.position)));
   submergedParts.set(body, immersed);
   return immersed;
 }
 
+interface SubmergedInWaves extends Submerged {
+  /** Force per mass of displaced fluid, m/s². */
+  readonly lift: Vector;
+}
+
+const partsInWaves = /* @__PURE__ */ new WeakMap<HullSymbols, SubmergedInWaves>();
+
+/** The same under the surface of a wave above the body. */
+function submergedInWaves(
+  body: FloatingSymbols,
+  fluid: OutlineSymbols & FluidSymbols & Parameters<typeof waveAt>[1],
+): SubmergedInWaves {
+  const known = partsInWaves.get(body);
+  if (known !== undefined) return known;
+  const { normal, depth, acceleration } = waveAt(body.position, fluid);
+  const lift = fluid.up.mul(fluid.gravity).add(acceleration);
+  const immersed = { ...cutOutline(fluid, toBody(body, normal), depth), lift };
+  partsInWaves.set(body, immersed);
+  return immersed;
+}
+
 /**
- * Sums over the edges, each cut at the surface, by the shoelace formula, relative to a point of the surface: then
+ * Sums over the edges, each cut at the surface that is `depth` above the centre of mass along `up`, in the body's frame, by the shoelace formula, relative to a point of the surface: then
  * the closing edges along the surface contribute nothing. A hull far from the surface has no such edges, and a
  * distant reference point would lose digits.
  */
-function cutOutline(body: FloatingSymbols, fluid: OutlineSymbols): Submerged {
-  const up = upOf(body, fluid);
-  const depth = fluid.level.sub(fluid.up.dot(body.position));
+function cutOutline(fluid: OutlineSymbols, up: Vector, depth: Scalar): Submerged {
   const isNear = depth.abs().lessOrEqual(fluid.extent);
   const about = up.mul(select(isNear, depth, 0));
   const sums = fluid.edges.sum(({ x, y, dx, dy }) => {
@@ -156,9 +188,27 @@ function withSurface({ of, release }: ForceMemory<TableLocation>) {
   });
 }
 
+/** The same with waves, which do work: it has no potential. */
+function withWaves({ of, release }: ForceMemory<TableLocation>) {
+  return defineLaw({
+    ...about,
+    parameters: { ...FLUID_VOLUME, ...WAVES, ...HULL, extent: scalar('m'), edges: table(EDGE, of) },
+    force(body, fluid) {
+      const { area, lift } = submergedInWaves(body, fluid);
+      return lift.mul(displacement(body, fluid).div(fluid.area).mul(area));
+    },
+    torque(body, fluid) {
+      const { moments, lift } = submergedInWaves(body, fluid);
+      return moments.cross(toBody(body, lift)).mul(displacement(body, fluid).div(fluid.area));
+    },
+    prepare: (world) => void of(world),
+    releaseMemory: release,
+  });
+}
+
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function polygonBuoyancy(fluidVolume: FluidVolume, hull: PolygonHull): Force {
-  const { fluid, level } = fluidVolumeValues(fluidVolume, 'polygonBuoyancy');
+  const { fluid, level, waves } = fluidVolumeValues(fluidVolume, 'polygonBuoyancy');
   checkKeys(hull, 'polygonBuoyancy', ['shape', 'vertices']);
   const shape = checkWhole(hull.shape, 'polygonBuoyancy.shape', 2, 1000);
   const corners = anticlockwise(hull.vertices);
@@ -175,7 +225,8 @@ export function polygonBuoyancy(fluidVolume: FluidVolume, hull: PolygonHull): Fo
     return { at, count: edges.length };
   });
   const extent = Math.max(...corners.map(({ x, y }) => Math.sqrt(x * x + y * y)));
-  return withSurface(hullAt)({ ...fluid, level, shape, area, extent });
+  const given = { ...fluid, level, shape, area, extent };
+  return waves === undefined ? withSurface(hullAt)(given) : withWaves(hullAt)({ ...given, ...waves });
 }
 
 interface Corner {

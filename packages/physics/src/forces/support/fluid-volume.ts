@@ -1,10 +1,12 @@
 // A fluid with a level surface, and the immersed fraction of a body in it.
+import { PhysicsError } from '../../errors/physics-error.ts';
 import { checkKeys, checkNumber, checkVector, type Vector, type VectorInput } from '../../errors/validate.ts';
 import { type Scalar, select, type Vector as VectorSymbol } from '../../laws/expression.ts';
 import { scalar, vector } from '../../laws/parameter.ts';
 import { ANY, POSITION_BOUNDS, POSITIVE, VELOCITY_BOUNDS } from './bounds.ts';
 import { STANDARD_GRAVITY } from './standard-gravity.ts';
 import { unit } from './unit-vector.ts';
+import { type Waves, type WaveValues, waveHeightOf, waveValues } from './waves.ts';
 
 /** A body of water, or the air if there is no level. Give the same record to all forces of a fluid. */
 export interface FluidVolume {
@@ -16,6 +18,11 @@ export interface FluidVolume {
   readonly level?: number;
   /** Velocity of the fluid, m/s; default at rest. Read by `immersedDrag`, and at a surface by `addedMass`: buoyancy does not depend on it. */
   readonly flow?: VectorInput;
+  /**
+   * Waves on the surface, which then needs a level, on deep water: `{ amplitude, length, direction?, phase? }`, m and rad. Default none;
+   * `surfaceHeight(fluid, position, time)` tells where to draw it.
+   */
+  readonly waves?: Waves;
 }
 
 /**
@@ -32,11 +39,12 @@ export interface FluidVolumeValues {
   readonly fluid: { readonly density: number; readonly gravity: number; readonly up: Vector };
   readonly level: number | undefined;
   readonly flow: Vector;
+  readonly waves: WaveValues | undefined;
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
 export function fluidVolumeValues(fluidVolume: FluidVolume, caller: string): FluidVolumeValues {
-  checkKeys(fluidVolume, caller, ['density', 'gravity', 'level', 'flow']);
+  checkKeys(fluidVolume, caller, ['density', 'gravity', 'level', 'flow', 'waves']);
   const density = checkNumber(fluidVolume.density, `${caller}.density`, POSITIVE);
   const given = checkVector(fluidVolume.gravity ?? { y: -STANDARD_GRAVITY }, `${caller}.gravity`, ANY);
   const down = unit(given, `${caller}.gravity`);
@@ -46,7 +54,15 @@ export function fluidVolumeValues(fluidVolume: FluidVolume, caller: string): Flu
   const level =
     fluidVolume.level === undefined ? undefined : checkNumber(fluidVolume.level, `${caller}.level`, POSITION_BOUNDS);
   const flow = checkVector(fluidVolume.flow ?? {}, `${caller}.flow`, VELOCITY_BOUNDS);
-  return { fluid: { density, gravity, up }, level, flow };
+  const waves = fluidVolume.waves === undefined ? undefined : waveValues(fluidVolume.waves, up, gravity, caller);
+  if (waves !== undefined && level === undefined) {
+    throw new PhysicsError('E_RANGE', `${caller}.waves need a surface.`, {
+      field: `${caller}.level`,
+      value: level,
+      hint: 'Give the fluid a `level` as well.',
+    });
+  }
+  return { fluid: { density, gravity, up }, level, flow, waves };
 }
 
 /** The columns of a body that can float: reads `{ hull: Hull, collider: Collider }`. */
@@ -77,8 +93,12 @@ export interface Immersion {
 }
 
 /** Computes the immersion. Shape 0 is a sphere; all others count as an upright box. */
-export function immersion({ position, hull, collider }: HullSymbols, { up, level }: SurfaceSymbols): Immersion {
-  const depth = level.sub(up.dot(position));
+export function immersion(body: HullSymbols, { up, level }: SurfaceSymbols): Immersion {
+  return immersionAt(level.sub(up.dot(body.position)), body);
+}
+
+/** The same where the centre of the body is at this depth. */
+export function immersionAt(depth: Scalar, { hull, collider }: Omit<HullSymbols, 'position'>): Immersion {
   const half = select(hull.halfHeight.greater(0), hull.halfHeight, collider.radius);
   // A point is either in or out.
   const ofPoint = select(depth.greater(0), 1, -1);
@@ -93,4 +113,16 @@ export function immersion({ position, hull, collider }: HullSymbols, { up, level
     immersedFraction: select(isSphere, ofSphere, d.mul(0.5).add(0.5)),
     growth: select(d.abs().less(1), slope.div(half), 0),
   };
+}
+
+/**
+ * The height of the surface of a fluid with waves along up at a position, m, for drawing it: its level where there are none.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, also without a level, E_UNKNOWN
+ */
+export function surfaceHeight(fluidVolume: FluidVolume, position: VectorInput, time: number): number {
+  const { level, waves } = fluidVolumeValues(fluidVolume, 'surfaceHeight');
+  const at = checkVector(position, 'surfaceHeight.position', POSITION_BOUNDS);
+  checkNumber(time, 'surfaceHeight.time');
+  if (level === undefined) return checkNumber(level, 'surfaceHeight.level');
+  return waves === undefined ? level : level + waveHeightOf(waves, at, time);
 }
