@@ -36,5 +36,5 @@ export const bundles = [
     imports: rigid,
     limits: [218.4, 147.7],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [371, 261.8] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [372, 262.8] },
 ];

@@ -1,20 +1,27 @@
 // What contacts keep for the next step are impulses of a sub-step. Where a body became lighter since, or of another kind, they belong to
 // another load: on a hundredth of the mass they are a hundred times the speed.
 //
-//   λ' = λ m'/m       of a contact whose reduced mass was m and is m', if it became less
-//   λ' = 0            of all contacts that hang together with a body that is of another kind now: moved by forces, or not
+//   λ' = λ m'/m            of a contact whose reduced mass was m and is m', if it became less
+//   λ' = min(λ, m v)       of all contacts that hang together with a body that is of another kind now, moved by forces or not: they keep
+//                          what piles bear, and not what a press did that is none any more
 import { isCurrent } from '../../collision/narrow-phase/2d/contact-list';
 import { RigidContact, TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
 import { CHANGED_KIND, DYNAMIC, LIGHTER, flagsOf, poseOf, putFlags, word } from './body';
 import { RigidTable } from './rigid-table';
 import { sleeperOf } from './sleeper';
 
+// The speed v that the impulses of a sub-step may give to what hangs together with such a body, m/s: a pile of twelve boxes bears as much.
+const MOST_SPEED: real = 1;
+
+// Passes in which such bodies are searched: over what is far away nothing is pressed.
+const MOST_PASSES: i32 = 16;
+
 export function forgetImpulses(t: RigidTable): void {
-  if (t.changedKindCount > 0) while (spread(t)) {}
+  for (let pass = 0; t.changedKindCount > 0 && pass < MOST_PASSES && spread(t); pass++) {}
   for (let i = 0; i < t.contactCount; i++) {
     const contact = contactAt(t, word(t.order, i));
     const flags = flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB);
-    if ((flags & CHANGED_KIND) != 0) scaleContact(contact, 0);
+    if ((flags & CHANGED_KIND) != 0) scaleContact(contact, partOfSpeed(t, contact));
     else if ((flags & LIGHTER) != 0) scaleContact(contact, partOfMass(t, contact));
   }
 }
@@ -35,6 +42,13 @@ function spread(t: RigidTable): bool {
     any = true;
   }
   return any;
+}
+
+function partOfSpeed(t: RigidTable, contact: RigidContact): real {
+  let impulse: real = 0;
+  for (let p = 0; p < contact.count; p++) impulse += pointOf(contact, p).normalImpulse;
+  const speed = impulse * (poseOf(t, contact.bodyA).inverseMass + poseOf(t, contact.bodyB).inverseMass);
+  return speed > MOST_SPEED ? MOST_SPEED / speed : 1;
 }
 
 function partOfMass(t: RigidTable, contact: RigidContact): real {
