@@ -94,7 +94,8 @@ export function relaxContacts(table: usize): void {
 }
 
 // Additional passes for contacts with two points that an impact hits: what one point takes turns the body, which changes the load of
-// the other, and so does friction. Resting contacts converge over the next sub-steps; an impact has only this one.
+// the other, and so does friction. Resting contacts converge over the next sub-steps; an impact has only this one. Soft passes are
+// repeated for what is still apart: what falls onto something that gives way would sink in by more.
 const HIT_PASSES: i32 = 3;
 
 function solveHits(t: RigidTable, inverseH: v128, slowest: v128, soft: bool): void {
@@ -206,7 +207,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     const speed = add(moving, sub(mul(wB, leverB), mul(wA, leverA)));
     const old = v128.load(p, block.NORMAL_IMPULSE);
     const wanted = changeAt(at, p, old, speed, s, inverseH, slowest, soft);
-    const change = some ? v128.and(wanted, lanes) : wanted;
+    const change = some ? v128.and(wanted, soft ? v128.and(lanes, v128.gt<real>(s, splat(0))) : lanes) : wanted;
     // Of a number and what is none, these take the number.
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(splat(0), sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);
