@@ -128,8 +128,11 @@ export function startImpulse(t: RigidTable, impact: Impact): void {
   if (impact.treeA < 0 && impact.treeB < 0) return;
   columnsA = impact.treeA < 0 ? 0 : responseOf(jointsOf(t), t, impact.treeA, impact.rowA);
   columnsB = impact.treeB < 0 ? 0 : responseOf(jointsOf(t), t, impact.treeB, impact.rowB);
-  if (impact.treeA == impact.treeB && columnsB == 0) columnsA = 0;
-  if (columnsA == 0 && impact.treeA == impact.treeB) columnsB = 0;
+  // A tree that both are in follows both in one way.
+  if (impact.treeA == impact.treeB && (columnsA == 0 || columnsB == 0)) {
+    columnsA = 0;
+    columnsB = 0;
+  }
   const a = changetype<BodyState>(impact.stateA);
   const b = changetype<BodyState>(impact.stateB);
   oldVxA = a.vx;

@@ -29,7 +29,7 @@ import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
 import { memberOf, othersIn, projectImpact, projectImpacts, startTrees, weighTrees } from './impact-trees';
 import { moveToEnd } from './move-to-end';
-import { LEAST_DETERMINANT } from './stop-impact';
+import { pairP, pairQ, solvePair } from './stop-impact';
 
 // An impact runs on where it strikes by more than this part of the threshold.
 const LEAST_PART: real = 0.1;
@@ -218,16 +218,9 @@ function slowBoth(t: RigidTable, impact: Impact): bool {
   const q = pointOf(impact, 1);
   const pp = <real>1 / p.mass;
   const qq = <real>1 / q.mass;
-  const pq = impact.coupling;
-  const determinant = pp * qq - pq * pq;
-  if (!(determinant > LEAST_DETERMINANT * pp * qq)) return false;
-  const surplusP = surplusAt(impact, p);
-  const surplusQ = surplusAt(impact, q);
-  const impulseP = (qq * surplusP - pq * surplusQ) / determinant;
-  const impulseQ = (pp * surplusQ - pq * surplusP) / determinant;
-  if (!(impulseP >= 0 && impulseQ >= 0)) return false;
-  push(impact, p, impulseP);
-  push(impact, q, impulseQ);
+  if (!solvePair(pp, impact.coupling, qq, surplusAt(impact, p), surplusAt(impact, q))) return false;
+  push(impact, p, pairP);
+  push(impact, q, pairQ);
   projectImpact(t, impact);
   return true;
 }

@@ -8,7 +8,21 @@ import { Impact, ImpactPoint, applyNormalImpulse, excessAt, impactAt, pointOf } 
 import { couplingBetween } from './paired-impacts';
 
 // Two points so close that the determinant of K is less than this part of the product of its diagonal are taken one by one.
-export const LEAST_DETERMINANT: real = 1e-3;
+const LEAST_DETERMINANT: real = 1e-3;
+
+// What `solvePair` found last.
+export let pairP: real = 0;
+export let pairQ: real = 0;
+
+// Finds the impulses at two points that change their speeds by `changeP` and `changeQ` together, where K has the numbers pp, pq and qq.
+// Returns whether neither has to pull, and the points are far enough from each other.
+export function solvePair(pp: real, pq: real, qq: real, changeP: real, changeQ: real): bool {
+  const determinant = pp * qq - pq * pq;
+  if (!(determinant > LEAST_DETERMINANT * pp * qq)) return false;
+  pairP = (qq * changeP - pq * changeQ) / determinant;
+  pairQ = (pp * changeQ - pq * changeP) / determinant;
+  return pairP >= 0 && pairQ >= 0;
+}
 
 // Returns by how much it changed the speed of a point, m/s.
 export function stop(t: RigidTable, impact: Impact): real {
@@ -26,20 +40,15 @@ function stopBoth(impact: Impact, p: ImpactPoint, other: Impact, q: ImpactPoint,
   const qq = <real>1 / q.mass;
   const speedP = -excessAt(impact, p) - (pp * p.impulse + pq * q.impulse);
   const speedQ = -excessAt(other, q) - (pq * p.impulse + qq * q.impulse);
-  const determinant = pp * qq - pq * pq;
   let impulseP = -speedP * p.mass;
   let impulseQ: real = 0;
   if (!(impulseP >= 0 && pq * impulseP + speedQ >= 0)) {
     impulseP = 0;
     impulseQ = -speedQ * q.mass;
   }
-  if (determinant > LEAST_DETERMINANT * pp * qq) {
-    const bothP = (pq * speedQ - qq * speedP) / determinant;
-    const bothQ = (pq * speedP - pp * speedQ) / determinant;
-    if (bothP >= 0 && bothQ >= 0) {
-      impulseP = bothP;
-      impulseQ = bothQ;
-    }
+  if (solvePair(pp, pq, qq, -speedP, -speedQ)) {
+    impulseP = pairP;
+    impulseQ = pairQ;
   }
   return max<real>(setImpulse(impact, p, impulseP), setImpulse(other, q, impulseQ));
 }

@@ -4,7 +4,7 @@ import { clearRecord } from '../../memory/records';
 import { sineCosine } from '../../math/elementary';
 import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
-import { isForgotten, rowBox } from '../../collision/broad-phase/2d/fat-boxes';
+import { emptyBox, isForgotten, rowBox } from '../../collision/broad-phase/2d/fat-boxes';
 import {
   ASLEEP,
   BodyPose,
@@ -96,7 +96,7 @@ function leaveBody(t: RigidTable, row: i32): void {
   if ((flagsOf(t, owner) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, owner);
   invalidateTrees(t, flagsOf(t, row));
   // The extents of the body are found anew, too.
-  if ((flagsOf(t, owner) & STATIC) != 0) clearBox(t, owner);
+  if ((flagsOf(t, owner) & STATIC) != 0) emptyBox(rowBox(t, owner));
   putWord(t.owners, row, 0);
   putFlags(t, row, 0);
   forgetBox(t, row);
@@ -242,18 +242,10 @@ function kindOfWall(t: RigidTable, row: i32): u32 {
   return get(c.velocityX, row) != 0 || get(c.velocityY, row) != 0 || get(c.angularVelocityZ, row) != 0;
 }
 
-// The fat boxes of a body and of its parts are turned inside out, so that no box is inside them and they overlap nothing.
+// Empties the fat boxes of a body and of its parts.
 export function forgetBox(t: RigidTable, row: i32): void {
-  clearBox(t, row);
-  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) clearBox(t, part);
-}
-
-function clearBox(t: RigidTable, row: i32): void {
-  const box = rowBox(t, row);
-  box.minX = Infinity;
-  box.minY = Infinity;
-  box.maxX = -Infinity;
-  box.maxY = -Infinity;
+  emptyBox(rowBox(t, row));
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) emptyBox(rowBox(t, part));
 }
 
 function rest(t: RigidTable, row: i32): void {

@@ -158,6 +158,12 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   return add(mul(mass, change), v128.andnot(mul(sub(splat(1), massScale), impulse), apart));
 }
 
+// The contacts that such a pass acts on at a point with this separation.
+// @ts-ignore: decorator
+@inline function repeatedAt(separation: v128, soft: bool, lanes: v128): v128 {
+  return soft ? v128.and(lanes, v128.gt<real>(separation, splat(0))) : lanes;
+}
+
 // The normals, and when relaxing friction, of a block's contacts: of all, or of `some`, whose lane is set. The total impulse is the
 // sum of those with which the sub-steps end. With `repeat`, the pass was made in this sub-step before, and only their change is added.
 // @ts-ignore: decorator
@@ -207,7 +213,7 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
     const speed = add(moving, sub(mul(wB, leverB), mul(wA, leverA)));
     const old = v128.load(p, block.NORMAL_IMPULSE);
     const wanted = changeAt(at, p, old, speed, s, inverseH, slowest, soft);
-    const change = some ? v128.and(wanted, soft ? v128.and(lanes, v128.gt<real>(s, splat(0))) : lanes) : wanted;
+    const change = some ? v128.and(wanted, repeatedAt(s, soft, lanes)) : wanted;
     // Of a number and what is none, these take the number.
     const impulse = smaller(splat(block.MAX_IMPULSE), larger(splat(0), sub(old, change)));
     v128.store(p, impulse, block.NORMAL_IMPULSE);

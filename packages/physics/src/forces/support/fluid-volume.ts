@@ -123,6 +123,6 @@ export function surfaceHeight(fluidVolume: FluidVolume, position: VectorInput, t
   const { level, waves } = fluidVolumeValues(fluidVolume, 'surfaceHeight');
   const at = checkVector(position, 'surfaceHeight.position', POSITION_BOUNDS);
   checkNumber(time, 'surfaceHeight.time');
-  if (level === undefined) return checkNumber(level, 'surfaceHeight.level');
-  return waves === undefined ? level : level + waveHeightOf(waves, at, time);
+  const height = checkNumber(level, 'surfaceHeight.level');
+  return waves === undefined ? height : height + waveHeightOf(waves, at, time);
 }

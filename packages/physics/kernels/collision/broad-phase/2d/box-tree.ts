@@ -3,7 +3,7 @@
 // stack, and boxes that changed are brought up to date in one pass from the end. A tree is made at once, from the top, by
 // halving the extent of the centres. These lie side by side in a list of their own, which is read at every level.
 import { add, laneOf, larger, mul, smaller, splat, sub } from '../../../memory/lanes';
-import { FatBox, overlaps, rowBox } from './fat-boxes';
+import { FatBox, copyBox, overlaps, rowBox } from './fat-boxes';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { COLLIDES, ENLARGED, GROUPED, flagsOf, word } from '../../../solver/2d/body';
 
@@ -69,11 +69,16 @@ export function buildTree(t: RigidTable, nodes: usize, kinds: u32): i32 {
   return count == 0 ? 0 : buildBelow(t, nodes, 0, 0, count);
 }
 
+// Whether a row with these flags is in a tree of such bodies.
+// @ts-ignore: decorator
+@inline export function belongs(flags: u32, kinds: u32): bool {
+  return (flags & COLLIDES) != 0 && (flags & kinds) != 0;
+}
+
 function listRows(t: RigidTable, kinds: u32): i32 {
   let count = 0;
   for (let row = 1; row < t.rows; row++) {
-    const flags = flagsOf(t, row);
-    if ((flags & COLLIDES) == 0 || (flags & kinds) == 0) continue;
+    if (!belongs(flagsOf(t, row), kinds)) continue;
     const box = rowBox(t, row);
     const item = treeRowAt(t, count++);
     item.x = box.minX + box.maxX;
@@ -151,12 +156,8 @@ export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
     const node = nodeAt(nodes, i);
     if (node.row < 0) continue;
     if (node.row != 0) {
-      const box = rowBox(t, node.row);
       node.changed = mayFind(t, node.row) ? 1 : 0;
-      node.minX = box.minX;
-      node.minY = box.minY;
-      node.maxX = box.maxX;
-      node.maxY = box.maxY;
+      copyBox(changetype<FatBox>(node), rowBox(t, node.row));
     } else {
       const a = nodeAt(nodes, i + 1);
       const b = nodeAt(nodes, a.skip);

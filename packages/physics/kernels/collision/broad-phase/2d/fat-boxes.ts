@@ -32,6 +32,22 @@ export class FatBox {
   maxY: real;
 }
 
+// Turns a box inside out, so that no box is inside it and it overlaps nothing.
+export function emptyBox(box: FatBox): void {
+  box.minX = Infinity;
+  box.minY = Infinity;
+  box.maxX = -Infinity;
+  box.maxY = -Infinity;
+}
+
+// @ts-ignore: decorator
+@inline export function copyBox(to: FatBox, from: FatBox): void {
+  to.minX = from.minX;
+  to.minY = from.minY;
+  to.maxX = from.maxX;
+  to.maxY = from.maxY;
+}
+
 const MARGIN: real = 0.05;
 const MARGIN_FRACTION: real = 0.125;
 

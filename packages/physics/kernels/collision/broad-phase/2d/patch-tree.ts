@@ -1,10 +1,10 @@
 // Brings the tree of what does not move up to date where few rows came or went, as where one digs or builds. To make it anew takes four times as
 // long as a step of a large world at rest. A leaf of what is gone stays, without a row and with a box that is inside out; what came takes
 // such a leaf, or goes beside the leaf that it is nearest to. The tree becomes worse by that, and is made anew after some changes.
-import { COLLIDES, STATIC, flagsOf, putWord, word } from '../../../solver/2d/body';
+import { STATIC, flagsOf, putWord, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { NODE, TreeNode, nodeAt } from './box-tree';
-import { FatBox, rowBox } from './fat-boxes';
+import { NODE, TreeNode, belongs, nodeAt } from './box-tree';
+import { FatBox, copyBox, emptyBox, rowBox } from './fat-boxes';
 
 // A smaller tree is made anew, which takes less than 0.05 ms.
 const LEAST_NODES: i32 = 1000;
@@ -23,7 +23,7 @@ const INSIDE: i32 = 2;
 export function patchTree(t: RigidTable): bool {
   if (t.staticNodeCount < LEAST_NODES) return false;
   for (let row = 1; row < t.rows; row++) {
-    putWord(t.treeRows, row, (flagsOf(t, row) & (STATIC | COLLIDES)) == (STATIC | COLLIDES) ? WANTED : OUTSIDE);
+    putWord(t.treeRows, row, belongs(flagsOf(t, row), STATIC) ? WANTED : OUTSIDE);
   }
   for (let i = 0; i < t.staticNodeCount; i++) {
     const node = nodeAt(t.staticNodes, i);
@@ -46,10 +46,7 @@ function mayChange(t: RigidTable): bool {
 @inline function empty(node: TreeNode): void {
   node.row = GONE;
   node.changed = 0;
-  node.minX = Infinity;
-  node.minY = Infinity;
-  node.maxX = -Infinity;
-  node.maxY = -Infinity;
+  emptyBox(changetype<FatBox>(node));
 }
 
 // Puts a row into the tree. Returns whether there was room.
@@ -69,10 +66,7 @@ function insert(t: RigidTable, row: i32): bool {
   }
   const leaf = nodeAt(nodes, at);
   leaf.row = row;
-  leaf.minX = box.minX;
-  leaf.minY = box.minY;
-  leaf.maxX = box.maxX;
-  leaf.maxY = box.maxY;
+  copyBox(changetype<FatBox>(leaf), box);
   return true;
 }
 

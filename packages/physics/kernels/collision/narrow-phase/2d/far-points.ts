@@ -16,8 +16,7 @@ export const SPECULATIVE_DISTANCE: real = 0.02;
 
 // The distance up to which two shapes may touch: further than four slops if they move so far against each other.
 export function reachOf(t: RigidTable, contact: RigidContact): real {
-  if (mayHaveToTurn(t, contact.bodyA, contact.a, 0, 0) || mayHaveToTurn(t, contact.bodyB, contact.b, 0, 0))
-    return SPECULATIVE_DISTANCE;
+  if (canOnlyTurn(t, contact.bodyA, contact.a) || canOnlyTurn(t, contact.bodyB, contact.b)) return SPECULATIVE_DISTANCE;
   const stateA = motionOf(t, contact.bodyA);
   const stateB = motionOf(t, contact.bodyB);
   const a = poseOf(t, contact.bodyA);
@@ -33,13 +32,21 @@ export function reachOf(t: RigidTable, contact: RigidContact): real {
   return path > SPECULATIVE_DISTANCE ? SPECULATIVE_DISTANCE + path : SPECULATIVE_DISTANCE;
 }
 
-// What is locked may have to turn at any speed to get out of the way in time along a normal, if it is no disc: it gives way softly instead.
-// Without a normal, along any.
-function mayHaveToTurn(t: RigidTable, body: i32, row: i32, nx: real, ny: real): bool {
-  if ((flagsOf(t, body) & LOCKED) == 0 || openAxes(t, body) == 2) return false;
+// What is locked along an axis may have to turn at any speed to get out of the way in time, if it is no disc: it gives way softly instead.
+function turnsOnLocks(t: RigidTable, body: i32, row: i32): bool {
+  if ((flagsOf(t, body) & LOCKED) == 0 || !(poseOf(t, body).inverseInertia > 0)) return false;
   const isDisc = body == row && word(columns().shape, row) == 0;
-  if (!(poseOf(t, body).inverseInertia > 0) || isDisc) return false;
-  if (nx == 0 && ny == 0) return openAxes(t, body) == 0;
+  return !isDisc;
+}
+
+// Whether that is all that a body can do.
+function canOnlyTurn(t: RigidTable, body: i32, row: i32): bool {
+  return turnsOnLocks(t, body, row) && openAxes(t, body) == 0;
+}
+
+// Whether it is so along a normal.
+function mustTurn(t: RigidTable, body: i32, row: i32, nx: real, ny: real): bool {
+  if (!turnsOnLocks(t, body, row)) return false;
   return inverseMassAlong(t, body, nx, ny) < OPEN_PART * poseOf(t, body).inverseMass;
 }
 
@@ -80,8 +87,7 @@ export function dropFarPoints(t: RigidTable, contact: RigidContact, m: Manifold,
 
 // @ts-ignore: decorator
 @inline function mustGiveWay(t: RigidTable, contact: RigidContact, m: Manifold): bool {
-  if (mayHaveToTurn(t, contact.bodyA, contact.a, m.nx, m.ny)) return true;
-  return mayHaveToTurn(t, contact.bodyB, contact.b, m.nx, m.ny);
+  return mustTurn(t, contact.bodyA, contact.a, m.nx, m.ny) || mustTurn(t, contact.bodyB, contact.b, m.nx, m.ny);
 }
 
 // Leaves out all points that are not near.
