@@ -1,7 +1,17 @@
 // Motors against the limits of their own joints, however strong they are.
-import { createJoint, destroyWorld, distance, jointPosition, prismatic, revolute, spawn } from '@principia/physics';
+import {
+  box,
+  createJoint,
+  destroyWorld,
+  distance,
+  jointPosition,
+  prismatic,
+  revolute,
+  spawn,
+  step,
+} from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
+import { DT, rigidWorld, run, SLOP } from '../../../../test/support/rigid-world.ts';
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   /** A body of 3 kg at (4, 0), and what its joint measures four seconds later. */
@@ -34,5 +44,27 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     // 0.5 m/s for four seconds, but for the first sub-step, in which 100 N bring 3 kg to that speed.
     const length = positionAfter((b) => distance({ b, anchorA: {}, motor: { speed: -0.5, max: 1000 } }));
     expect(Math.abs(length - 2)).toBeLessThan(0.5 / 240);
+  });
+
+  it.each([1e3, 1e5, 1e7])('one of %d N m lifts a bar off its limit no faster than its speed', (max) => {
+    const world = rigidWorld({ precision });
+    const bar = spawn(world, { position: { x: 1 }, collider: { shape: box(2, 0.2), density: 100 } });
+    const joint = createJoint(world, revolute({ b: bar, anchor: {}, limits: { lower: -0.1, upper: 1 } }));
+    run(world, 2);
+    const rest = jointPosition(world, joint);
+    const speed = 0.01;
+    const { Joint } = world.components;
+    Joint.motorSpeed[joint] = speed;
+    Joint.maxMotor[joint] = max;
+    let before = rest;
+    for (let k = 0; k < 120; k++) {
+      step(world, DT);
+      const position = jointPosition(world, joint);
+      // Beside what angles of 0.1 rad are rounded by.
+      expect(position - before).toBeLessThan(1.01 * speed * DT);
+      before = position;
+    }
+    // By itself the motor takes over what the limit bears by as much as gives the bar its speed: 0.5 N m s of 1.6 in a pass.
+    expect(before - rest).toBeGreaterThan(speed * (2 - 2 * DT));
   });
 });

@@ -178,12 +178,18 @@ export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
 
 // Ends a sub-step: what the limit that bore has exerted.
 export function settleLimit(t: JointTable, work: JointWork): void {
-  if (work.limit == 0) return;
+  const side = work.limit;
+  if (side == 0) return;
   const impulses = impulsesOf(t, work.id);
   const impulse = lastLock(impulses, work);
   unlock(t, work);
-  impulses.lower = work.kind == PULLEY ? 0 : max<f64>(0, impulse);
-  impulses.upper = max<f64>(0, work.kind == PULLEY ? impulse : -impulse);
+  if (work.kind == PULLEY) {
+    impulses.upper = max<f64>(0, impulse);
+  } else {
+    // It may have to pull in the last pass, as what rests on it is lifted: that is less than nothing, and no push of the other.
+    impulses.lower = side == LOWER || (side == BOTH && impulse > 0) ? impulse : 0;
+    impulses.upper = side == UPPER || (side == BOTH && impulse < 0) ? -impulse : 0;
+  }
 }
 
 function unlock(t: JointTable, work: JointWork): void {

@@ -43,8 +43,8 @@ const MOST_PUSH: f64 = 1000;
 // @ts-ignore: decorator
 @inline function intoLimit(impulses: JointImpulses, speed: f64): i32 {
   if (speed == 0) return RESTS;
-  if (impulses.lower > 0 && impulses.upper == 0 && speed < 0) return PUSHES_DOWN;
-  return impulses.upper > 0 && impulses.lower == 0 && speed > 0 ? PUSHES_UP : APART;
+  if (impulses.lower > 0 && impulses.upper <= 0 && speed < 0) return PUSHES_DOWN;
+  return impulses.upper > 0 && impulses.lower <= 0 && speed > 0 ? PUSHES_UP : APART;
 }
 
 // The largest impulse of a motor in a sub-step.
