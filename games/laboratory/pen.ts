@@ -51,7 +51,7 @@ export class Pen {
       const [a, b] = [this.place({ x: shape.minX, y: shape.minY }), this.place({ x: shape.maxX, y: shape.maxY })];
       this.#graphics.rect(a.x, a.y, b.x - a.x, b.y - a.y).fill(style);
     } else {
-      this.#graphics.poly(shape.map((point) => this.place(point))).fill(style);
+      this.#graphics.poly(now(shape).map((point) => this.place(point))).fill(style);
     }
   }
 

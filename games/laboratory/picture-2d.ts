@@ -2,7 +2,7 @@
 
 import type { BodySource } from '@principia/render-core';
 import { createBodyLayer, createTrailLayer } from '@principia/render-pixi';
-import { COLORS, type ExampleRun, frameOf, now, type Point } from '@principia/scenes/examples';
+import { COLORS, type ExampleRun, type Fill, frameOf, now, type Point } from '@principia/scenes/examples';
 import type { Picture as PixiPicture } from '@principia/shell/pixi';
 import { Container, Graphics } from 'pixi.js';
 import type { LabRun, Trailing } from './lab-run.ts';
@@ -74,11 +74,13 @@ function upright(): Graphics {
 
 const isLive = (...values: unknown[]) => values.some((value) => typeof value === 'function');
 
+const moves = ({ shape }: Fill) => isLive('radius' in shape ? shape.centre : shape);
+
 /** Regions, lines, curves and axes that do not move. */
 function drawStill({ picture }: ExampleRun, [back, front]: readonly [Pen, Pen], scale: number): void {
   for (const pen of [back, front]) pen.begin(scale);
   for (const fill of picture.fills ?? []) {
-    if (!('radius' in fill.shape && isLive(fill.shape.centre))) (fill.inFront ? front : back).fill(fill);
+    if (!moves(fill)) (fill.inFront ? front : back).fill(fill);
   }
   if (picture.graph !== undefined) back.grid(picture);
   for (const curve of picture.curves ?? []) back.curve(curve);
@@ -103,7 +105,7 @@ function drawLive(run: LabRun, pen: Pen, texts: TextLayer, scale: number, shown:
   pen.begin(scale);
   texts.begin(scale);
   for (const fill of picture.fills ?? []) {
-    if ('radius' in fill.shape && isLive(fill.shape.centre)) pen.fill(fill);
+    if (moves(fill)) pen.fill(fill);
   }
   drawGhosts(run, pen, texts, scale);
   for (const curve of picture.curves ?? []) {

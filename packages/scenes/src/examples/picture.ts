@@ -39,9 +39,9 @@ export interface Line {
 export interface Fill {
   /**
    * A box, a disc or a polygon; in three dimensions a box without width, height or depth, such as a wall, or a ball that
-   * shines by itself, such as a sun.
+   * shines by itself, such as a sun. A disc or a polygon that moves is drawn over the bodies.
    */
-  readonly shape: ViewBox | { readonly centre: Live<Point>; readonly radius: number } | readonly Point[];
+  readonly shape: ViewBox | { readonly centre: Live<Point>; readonly radius: number } | Live<readonly Point[]>;
   readonly color: Color;
   /** 0 to 1; default 1. */
   readonly opacity?: number;

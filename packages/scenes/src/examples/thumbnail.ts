@@ -153,7 +153,7 @@ class Sketch {
     if ('radius' in shape) this.disc(now(shape.centre), shape.radius, color, opacity);
     else if ('minX' in shape) {
       this.polygon(cornersOf(shape), color, opacity, 0);
-    } else this.polygon(shape, color, opacity, 0);
+    } else this.polygon(now(shape), color, opacity, 0);
   }
 
   line({ from, to, color = COLORS.white, width = 2 }: Line): void {
