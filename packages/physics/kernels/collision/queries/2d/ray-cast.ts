@@ -52,9 +52,14 @@ export function rayMeetsPlane(q: BodyQuery, plane: Shape, pose: RelativePose): b
   return true;
 }
 
+// A ray that passes an end of an edge no further than this beyond it, in units of the coordinates, meets it: or one to a corner, where two
+// edges end, could pass between both.
+const ROUNDING: real = sizeof<real>() == 4 ? <real>5e-7 : <real>1e-15;
+
 function entersEdge(shape: Shape, x: real, y: real, dx: real, dy: real): bool {
   let enters = false;
   if (shape.count == 1) return false;
+  const length = sqrt<real>(dx * dx + dy * dy);
   for (let i = 0; i < shape.count; i++) {
     const nx = normalX(shape, i);
     const ny = normalY(shape, i);
@@ -68,7 +73,13 @@ function entersEdge(shape: Shape, x: real, y: real, dx: real, dy: real): bool {
     const edgeX = vertexX(shape, end) - vertexX(shape, i);
     const edgeY = vertexY(shape, end) - vertexY(shape, i);
     const along = (fromX + t * dx) * edgeX + (fromY + t * dy) * edgeY;
-    if (along < 0 || along > edgeX * edgeX + edgeY * edgeY) continue;
+    const edge = edgeX * edgeX + edgeY * edgeY;
+    const beyond = max<real>(-along, along - edge);
+    if (beyond > 0) {
+      // The ray passes the corner as far away as its point is from it along the edge, times the sine of the angle between both.
+      const size = abs<real>(x) + abs<real>(y) + t * length + abs<real>(fromX - x) + abs<real>(fromY - y);
+      if (beyond * -rate > ROUNDING * size * length * sqrt<real>(edge)) continue;
+    }
     enters = true;
     fraction = t;
     entryX = nx;
