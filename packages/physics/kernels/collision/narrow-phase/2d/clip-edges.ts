@@ -4,7 +4,7 @@
 // apart than the shapes are, the contact is one point between the nearest points of the two.
 import { Shape, nextVertex, normalX, normalY, vertexX, vertexY } from '../../shapes/2d/shape';
 import { Distance, closestPoints } from './distance';
-import { EDGE_OF_A, EDGE_OF_B, Manifold, addRoundedPoint, setNormal } from './manifold';
+import { EDGE_OF_A, EDGE_OF_B, FIRST_OF_B, KNOWN, Manifold, addRoundedPoint, setNormal } from './manifold';
 import { RelativePose, pointX, pointY } from './relative-pose';
 
 // A clipped point counts as the nearest of the shapes when it is no further than this beyond it, m: a tenth of the slop.
@@ -63,8 +63,20 @@ export function clipEdges(
     else addCut(m, startX, startY, highAlong, highAway, reference, incident, idOf(end, high, isFlipped));
     return;
   }
+  m.corners = KNOWN;
   addCut(m, startX, startY, lowCut, lowDistance, reference, incident, idOf(edge, low, isFlipped));
+  // What is cut is a corner of the reference shape.
+  if (lowCut > lowAlong == isFlipped) m.corners |= FIRST_OF_B;
+  const second = m.count;
   addCut(m, startX, startY, highCut, highDistance, reference, incident, idOf(end, high, isFlipped));
+  if (highCut < highAlong == isFlipped) m.corners |= FIRST_OF_B << second;
+  m.room = min<real>(roomAt(lowAlong, length), roomAt(highAlong, length));
+}
+
+// How far a corner is from the nearer end of an edge of a length.
+// @ts-ignore: decorator
+@inline function roomAt(along: real, length: real): real {
+  return min<real>(abs<real>(along), abs<real>(along - length));
 }
 
 // @ts-ignore: decorator

@@ -12,6 +12,8 @@ import { collidePolygons } from './polygon-polygon';
 export function collideShapes(m: Manifold, a: Shape, b: Shape): void {
   m.count = 0;
   m.edge = 0;
+  m.corners = 0;
+  m.room = 0;
   if ((a.isChained | b.isChained) != 0) {
     collideChained(m, a, b);
   } else if (b.kind == CIRCLE) {

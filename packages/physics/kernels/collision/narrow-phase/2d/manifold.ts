@@ -34,7 +34,16 @@ export class Manifold {
   separation1: real;
   // Whose edge the normal is of: EDGE_OF_A, EDGE_OF_B, or 0 where it is that of two corners or of discs.
   edge: u32;
+  // Whose corners the points are: 0 where that is not known, else KNOWN and bits of the points that are corners of b.
+  corners: u32;
+  // How far one of the two may slide along the other until another corner, or an end of another edge, takes part, m.
+  room: real;
 }
+
+// Bits of `corners`.
+export const FIRST_OF_B: u32 = 1;
+export const SECOND_OF_B: u32 = 2;
+export const KNOWN: u32 = 4;
 
 // Values of `edge`, which are bits of the flags of a contact (rigid-contact.ts).
 export const EDGE_OF_A: u32 = 8192;
@@ -91,6 +100,7 @@ export const EDGE_OF_B: u32 = 16384;
 export function dropPoint(m: Manifold, i: i32): void {
   m.count = 1;
   if (i == 1) return;
+  m.corners = (m.corners & KNOWN) | ((m.corners & SECOND_OF_B) >> 1);
   m.x0 = m.x1;
   m.y0 = m.y1;
   m.separation0 = m.separation1;
@@ -152,4 +162,5 @@ export function swapShapes(m: Manifold): void {
   m.id0 = ((m.id0 & 255) << 8) | (m.id0 >> 8);
   m.id1 = ((m.id1 & 255) << 8) | (m.id1 >> 8);
   if (m.edge != 0) m.edge = EDGE_OF_A + EDGE_OF_B - m.edge;
+  if (m.corners != 0) m.corners ^= FIRST_OF_B | SECOND_OF_B;
 }

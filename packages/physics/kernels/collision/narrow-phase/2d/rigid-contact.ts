@@ -15,7 +15,7 @@ export class RigidContact {
   shapeA: u32;
   shapeB: u32;
   flags: u32;
-  // Points of the manifold, 0 to 2, and their feature ids: two bytes each, so that the record of f32 is 13 vectors.
+  // Points of the manifold, 0 to 2, and their feature ids, two bytes each.
   count: i16;
   id0: u16;
   id1: u16;
@@ -36,6 +36,8 @@ export class RigidContact {
   // Unit normal from a to b.
   nx: real;
   ny: real;
+  // How far one may slide along the other until other corners take part (manifold.ts).
+  room: real;
   // Two points, class ContactPoint: each has this many reals.
   point0: real;
 }
@@ -90,6 +92,9 @@ export const FAST_POINT: u32 = 4096;
 // 8192 and 16384 are EDGE_OF_A and EDGE_OF_B (manifold.ts): the only point is a corner of b on an edge of a, or the other way round.
 // One of the shapes is a segment of a chain, which ends where the next one begins.
 export const ON_CHAIN: u32 = 32768;
+// Whose corners the points are: FIRST_OF_B, SECOND_OF_B and KNOWN of manifold.ts from this bit on.
+export const CORNERS_SHIFT: u32 = 16;
+export const CORNERS: u32 = 7 << CORNERS_SHIFT;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

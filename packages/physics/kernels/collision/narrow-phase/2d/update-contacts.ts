@@ -3,14 +3,14 @@
 // Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
 // one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed, or touch with a
 // single point: the other corner of a box that tips over was at least that far away; 0.0005 m on a segment of a chain, on which what
-// slides has another point soon). Only its normal and its separations change, these by the same formula as within sub-steps.
-// Source, but for the normal, the rule of single points and that of chains: Box2D 3.2 (physics_world.c).
+// slides has another point soon), nor slid along it by more than 0.005 m to where another corner takes part: what has slid over an
+// edge would rest beyond it. Only its normal and its separations change, these by the same formula as within sub-steps, and its points
+// go with the corners that they are. Source, but for the normal, corners, single points and chains: Box2D 3.2 (physics_world.c).
 //
 //   separation = that found + n · (movement of b's anchor - movement of a's)       n turns with an edge, or the heavier body
 import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
-  BodyPose,
   DYNAMIC,
   FAST,
   GROUPED,
@@ -45,8 +45,11 @@ import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, mayStop, reachOf } f
 import { EDGE_OF_A, EDGE_OF_B, Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
+import { moveAnchors } from './move-anchors';
 import { passesThrough } from './one-way';
 import {
+  CORNERS,
+  CORNERS_SHIFT,
   ContactPoint,
   FORESEEN,
   FOUND,
@@ -183,7 +186,8 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
-  const kept = (contact.flags & (FOUND | IS_DEEP | EDGE_OF_A | EDGE_OF_B | ON_CHAIN)) | (touched ? WAS_TOUCHING : 0);
+  const kept =
+    (contact.flags & (FOUND | IS_DEEP | EDGE_OF_A | EDGE_OF_B | ON_CHAIN | CORNERS)) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
     contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return false;
@@ -199,7 +203,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   contact.flags |= TOUCHING;
-  if (!isRecycled) moveAnchors(t, contact);
+  if (!isRecycled) moveAnchors(t, contact, false);
   // Each step, because friction or the speed of a conveyor may change while the points are kept.
   mixMaterials(t, contact);
   return ((flagsA & DYNAMIC) == 0) != ((flagsB & DYNAMIC) == 0);
@@ -208,8 +212,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
 // Returns false if the manifold must be found again after all.
 function recycle(t: RigidTable, contact: RigidContact): bool {
   if (contact.count == 0) return true;
-  moveAnchors(t, contact);
-  return !mayStop(t, contact);
+  return moveAnchors(t, contact, true) && !mayStop(t, contact);
 }
 
 function mayRecycle(t: RigidTable, contact: RigidContact, touched: bool): bool {
@@ -267,7 +270,8 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   // A predicted manifold is computed again in the next step, and so is one that was left out because of how fast the two were.
   if (isLeftOut || (contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
-  contact.flags &= ~(EDGE_OF_A | EDGE_OF_B | ON_CHAIN);
+  contact.flags = (contact.flags & ~(EDGE_OF_A | EDGE_OF_B | ON_CHAIN | CORNERS)) | (m.corners << CORNERS_SHIFT);
+  contact.room = m.room;
   if (m.count == 1) contact.flags |= m.edge;
   if ((shapeA.isChained | shapeB.isChained) != 0) contact.flags |= ON_CHAIN;
   takePoints(t, contact, m);
@@ -349,36 +353,5 @@ function moveToBodies(t: RigidTable, contact: RigidContact, m: Manifold): void {
     p.foundBy = p.foundAy - by;
     p.foundAx -= ax;
     p.foundAy -= ay;
-  }
-}
-
-// Normal, anchors and separations at the present poses.
-function moveAnchors(t: RigidTable, contact: RigidContact): void {
-  moveWith(contact, poseOf(t, contact.a), poseOf(t, contact.b), poseOf(t, contact.bodyA), poseOf(t, contact.bodyB));
-}
-
-// The shapes turn as their bodies do, and the normal with the edge that it is of. Of two that lie flat on each other the heavier body
-// turns less by itself.
-// @ts-ignore: decorator
-@inline function moveWith(contact: RigidContact, a: BodyPose, b: BodyPose, bodyA: BodyPose, bodyB: BodyPose): void {
-  const cosA = a.c * contact.ac + a.s * contact.as;
-  const sinA = a.s * contact.ac - a.c * contact.as;
-  const cosB = b.c * contact.bc + b.s * contact.bs;
-  const sinB = b.s * contact.bc - b.c * contact.bs;
-  const edge = contact.flags & (EDGE_OF_A | EDGE_OF_B);
-  const turnsWithA = edge != 0 ? edge == EDGE_OF_A : bodyA.inverseMass <= bodyB.inverseMass;
-  const c = turnsWithA ? cosA : cosB;
-  const s = turnsWithA ? sinA : sinB;
-  contact.nx = c * contact.foundNx - s * contact.foundNy;
-  contact.ny = s * contact.foundNx + c * contact.foundNy;
-  const dx = bodyB.x - bodyA.x;
-  const dy = bodyB.y - bodyA.y;
-  for (let i = 0; i < contact.count; i++) {
-    const p = pointOf(contact, i);
-    p.ax = cosA * p.foundAx - sinA * p.foundAy;
-    p.ay = sinA * p.foundAx + cosA * p.foundAy;
-    p.bx = cosB * p.foundBx - sinB * p.foundBy;
-    p.by = sinB * p.foundBx + cosB * p.foundBy;
-    p.separation = p.foundSeparation + contact.nx * (dx + p.bx - p.ax) + contact.ny * (dy + p.by - p.ay);
   }
 }
