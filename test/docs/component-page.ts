@@ -57,6 +57,8 @@ export function componentPage(): string {
     'body has the component.',
     'Fields marked *3D* must be 0 in a world of two dimensions. Renderers read columns too: see [drawing](drawing.md).',
     'Components of your own: `defineComponent`, see [adding a force](adding-a-force.md#with-a-component-of-your-own).',
+    'Of the observers of bitECS, `onSet` gets the values; `onAdd` reads defaults, or zeros within a step, and `onRemove` reads columns',
+    'that may be zero already: read what you need of a body, such as where an explosion is to be, before you despawn it.',
     '',
     '| component | fields | meaning |',
     '|---|---|---|',

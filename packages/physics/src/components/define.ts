@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import { type Bounds, checkObject, isRecord } from '../errors/validate.ts';
+import { type Bounds, checkKeys, isRecord } from '../errors/validate.ts';
 
 /** A column of real numbers: f32 or f64 according to the world's precision. */
 export type RealColumn = Float32Array | Float64Array;
@@ -49,9 +49,11 @@ interface FieldOptions {
   readonly spatial?: boolean;
 }
 
-/** A field of real numbers. */
+const FIELD_OPTIONS = ['initial', 'bounds', 'hint', 'infinite', 'spatial'];
+
+/** A field of real numbers. @throws PhysicsError E_TYPE, E_UNKNOWN for options */
 export function real(unit: string, options: FieldOptions = {}): FieldSpec<'real'> {
-  checkObject(options, 'the options of a field');
+  checkKeys(options, 'a field', FIELD_OPTIONS);
   const { initial = 0, bounds = {}, hint, infinite, spatial } = options;
   return { kind: 'real', unit, initial, bounds, hint, infinite, spatial };
 }

@@ -1,6 +1,7 @@
 // Custom components whose columns are in the world's memory: laws read them, snapshots save them, and bitECS adds and
 // removes them like built-in components.
 import { observe, onAdd, onGet, onRemove, onSet } from 'bitecs';
+import { COMPONENT_NAMES, COMPONENTS } from '../components/all.ts';
 import { type ColumnsOf, type ComponentSpec, type FieldSpec, isComponent } from '../components/define.ts';
 import { MAX_OWN_BITS, ownBitAt } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -9,6 +10,7 @@ import type { Precision } from '../kernels/instantiate.ts';
 import type { Arena } from '../memory/arena.ts';
 import { realColumn, wordColumn } from '../memory/columns.ts';
 import type { OwnColumns, OwnComponents, PhysicsWorld } from '../world/types.ts';
+import { registerColumns } from './bitecs/guard-tables.ts';
 import { assertUsable, whenIdle } from './guards.ts';
 
 /**
@@ -18,10 +20,32 @@ export function checkOwnComponents(components: unknown): readonly ComponentSpec[
   checkList(components, 'components');
   const list = (components ?? []) as readonly unknown[];
   list.forEach((component, i) => {
-    if (isComponent(component)) return;
-    throw mustBe('a component made by defineComponent', component, `components[${i}]`);
+    if (!isComponent(component)) throw mustBe('a component made by defineComponent', component, `components[${i}]`);
+    checkOwnComponent(component, `components[${i}]`);
   });
   return list as readonly ComponentSpec[];
+}
+
+function builtInName(component: unknown): string | undefined {
+  return COMPONENT_NAMES.find((name) => COMPONENTS[name] === component);
+}
+
+function builtInError(what: string, name: string): PhysicsError {
+  return new PhysicsError('E_TYPE', `${what} is ${name}, which every world has.`, {
+    field: 'components',
+    hint: `Use world.components.${name}.`,
+  });
+}
+
+function checkOwnComponent(component: ComponentSpec, place: string): void {
+  const builtIn = builtInName(component);
+  if (builtIn !== undefined) throw builtInError(place, builtIn);
+  for (const [name, field] of Object.entries<FieldSpec>(component.fields)) {
+    const what = `the field ${name} of ${place}`;
+    if (field?.kind !== 'real' && field?.kind !== 'u32') throw mustBe('made by realField or wordField', field, what);
+    checkKeys(field.bounds, what, ['min', 'max', 'above', 'integer', 'hint'], 'bound');
+    checkNumber(field.initial, `the initial value of ${what}`, field.bounds);
+  }
 }
 
 /** The number of columns of the components. */
@@ -59,9 +83,8 @@ export function makeOwnColumns(
 /** Registers observers that fill and clear the rows; called once when the world is created. */
 export function observeOwnComponents(world: PhysicsWorld): void {
   const { moreMembers } = world.internal;
-  for (const [component, { columns, bit }] of world.internal.ownComponents) {
-    const { fields } = component;
-    observe(world, onAdd(component), refuseDefinition);
+  for (const [{ fields }, { columns, bit }] of world.internal.ownComponents) {
+    registerColumns(world, columns);
     const change = (isMember: boolean) => (eid: number) =>
       whenIdle(world, () => {
         moreMembers[eid] = isMember ? moreMembers[eid] | bit : moreMembers[eid] & ~bit;
@@ -80,18 +103,6 @@ export function observeOwnComponents(world: PhysicsWorld): void {
       });
     });
   }
-}
-
-/** A definition has no rows: values that are set to it would go nowhere. */
-function refuseDefinition(): never {
-  throw new PhysicsError(
-    'E_TYPE',
-    'the definition of a component was added in place of the columns that a world has for it.',
-    {
-      field: 'components',
-      hint: 'Add its columns: addComponent(world, id, set(columnsOf(world, MyComponent), { … })).',
-    },
-  );
 }
 
 function checkedValues(
@@ -124,6 +135,8 @@ export function columnsOf<const Spec extends ComponentSpec>(world: PhysicsWorld,
 export function ownColumns({ internal }: PhysicsWorld, component: ComponentSpec): OwnColumns {
   const found = internal.ownComponents.get(component);
   if (found !== undefined) return found;
+  const name = builtInName(component);
+  if (name !== undefined) throw builtInError('columnsOf: the component', name);
   const fields = Object.keys(component?.fields ?? {}).join(', ');
   throw new PhysicsError('E_UNKNOWN', `this world was created without the component {${fields}}.`, {
     field: 'components',

@@ -37,7 +37,7 @@ export interface Hit {
   /** Point on the surface, m. */
   readonly x: number;
   readonly y: number;
-  /** Unit normal of the surface there, outward; zero where a shape overlapped it from the start. */
+  /** Unit normal of the surface there, outward; zero where outlines, or the cores of rounded ones, overlapped from the start. */
   readonly nx: number;
   readonly ny: number;
 }
