@@ -99,8 +99,9 @@ function walk(character: Character, start: Vector2, ground: Surface, own: Vector
   const { up, right, dt, snapDistance } = character;
   const distance = dot(own, right) * dt;
   const wanted = { x: ground.normal.y * distance, y: -ground.normal.x * distance };
-  const straight = slide(character, start, wanted, nearby);
-  const moved = climb(character, start, wanted, straight) ?? straight;
+  const from = liftedOut(character, start, ground);
+  const straight = slide(character, from, wanted, nearby);
+  const moved = climb(character, from, wanted, straight) ?? straight;
   const below = groundBelow(character, moved.end, snapDistance);
   if (below !== undefined) {
     // Out of the way of a lift that comes up through this ground it does not go back.
@@ -110,6 +111,19 @@ function walk(character: Character, start: Vector2, ground: Surface, own: Vector
   }
   const fallen = slide(character, moved.end, plus(ZERO, up, dot(own, up) * dt));
   return { end: fallen.end, surfaces: [...moved.surfaces, ...fallen.surfaces] };
+}
+
+/**
+ * Straight up out of ground that yields, as far as there is room. Out of it along its normal and down again by its weight, a character
+ * would walk downhill on a boat, wave by wave.
+ */
+function liftedOut(character: Character, start: Vector2, ground: Surface): Vector2 {
+  const { world, up, minUpward } = character;
+  const gap = gapTo(ground, start);
+  const upward = dot(ground.normal, up);
+  if (gap >= 0 || upward < minUpward || !isMovable(world, bodyBehind(world, ground.id))) return start;
+  const rise = plus(ZERO, up, -gap / upward);
+  return plus(start, rise, firstMeeting(character, start, rise)?.fraction ?? 1);
 }
 
 /** How far a surface that comes nearer lifts a character in the step, m; 0 if there is room. */

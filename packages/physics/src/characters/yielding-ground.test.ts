@@ -1,5 +1,15 @@
 // Characters on ground that goes down under them: lifts, and bridges of planks.
-import { box, createJoint, type PhysicsWorld, revolute, spawn } from '@principia/physics';
+import {
+  angularDrag,
+  box,
+  createJoint,
+  immersedDrag,
+  type PhysicsWorld,
+  polygonBuoyancy,
+  revolute,
+  spawn,
+  uniformGravity,
+} from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { addCharacter, MARGIN, right, STANDS, walk } from '../../../../test/support/character-world.ts';
 import { DT, rigidWorld } from '../../../../test/support/rigid-world.ts';
@@ -72,5 +82,33 @@ describe.each(['f32', 'f64'] as const)('%s', (precision) => {
     // It is never thrown up, and leaves planks for a tenth of a second at most, where they are far lighter than it is.
     expect(Math.max(...heights)).toBeLessThan(0.1 + STANDS + MARGIN);
     expect(longestFlight(grounded) * DT).toBeLessThan(flight + DT / 2);
+  });
+
+  it('stands still on a boat in waves', () => {
+    const sea = { density: 1000, level: 0, waves: { amplitude: 0.4, length: 16 } };
+    const shape = box(12, 1);
+    const floats = [polygonBuoyancy(sea, { shape: 2, vertices: shape }), immersedDrag(sea), angularDrag()];
+    const world = rigidWorld({ precision, forces: [uniformGravity(), ...floats] });
+    const boat = spawn(world, {
+      position: {},
+      collider: { shape, density: 400, friction: 0.7 },
+      hull: { volume: 12, shape: 2 },
+      linearDrag: 2000,
+      angularDrag: 50_000,
+    });
+    const id = addCharacter(world, 0.5, 0.5 + STANDS);
+    const { Position, Rotation } = world.components;
+    const along = () => {
+      const angle = Rotation.angle[boat];
+      return (
+        (Position.x[id] - Position.x[boat]) * Math.cos(angle) + (Position.y[id] - Position.y[boat]) * Math.sin(angle)
+      );
+    };
+    for (let minute = 0; minute < 2; minute++) {
+      const start = along();
+      walk(world, id, 3600);
+      // Its centre is some 0.9 m above the deck, which is tilted by up to 0.1 rad.
+      expect(Math.abs(along() - start)).toBeLessThan(0.18);
+    }
   });
 });
