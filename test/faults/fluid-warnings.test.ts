@@ -171,3 +171,19 @@ it('says that an angular drag, or a drag in the fluid, is too strong for the ste
   step(world, 1 / 60);
   expect(messages()).toMatch(/^the drag of body 1 takes more of its speed in a step than it has/);
 });
+
+it('names a hull that is too long for waves', () => {
+  const warned = (length: number, shape = 2) => {
+    const sea = { ...SEA, waves: { amplitude: 0.1, length } };
+    const { world, messages } = warnedWorld({
+      forces: [buoyancy(sea), polygonBuoyancy(sea, { shape: 2, vertices: SQUARE })],
+    });
+    spawn(world, { position: {}, mass: 500, hull: { volume: 1, shape, halfHeight: 0.5 } });
+    for (let i = 0; i < 2; i++) step(world, 1 / 60);
+    return messages();
+  };
+  // From corner to corner √2 m: a quarter of 5.66 m.
+  expect(warned(5.6)).toMatch(/^body 1 is 1\.41 m long, and the waves 5\.6 m: a hull is lifted and tilted/);
+  expect(warned(5.7)).toBe('');
+  expect(warned(5.6, 1)).toBe('');
+});

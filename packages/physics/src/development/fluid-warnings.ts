@@ -14,6 +14,7 @@ export function warnAboutFluids(world: PhysicsWorld, plan: Plan, dt: number): vo
   warnAboutHullsOfParts(world);
   warnAboutAddedMass(world, plan);
   warnAboutStiffBuoyancy(world, dt);
+  warnAboutLongHulls(world);
 }
 
 /** Forces of a fluid, also where they are restricted. */
@@ -177,4 +178,28 @@ function floatStiffness(world: PhysicsWorld, force: Force, coefficient: number):
     const immersed = kind === 0 ? 0.5 * density * volume : mass;
     return (density * gravity * volume * perDepth) / (mass + coefficient * immersed);
   };
+}
+
+/** A hull of this part of a wavelength heaves a tenth too much: the mean of the wave over its length B is sin(π B/L)/(π B/L) of it. */
+const LONGEST_HULL = 1 / 4;
+
+/** The surface about a hull is taken for a plane. */
+function warnAboutLongHulls(world: PhysicsWorld): void {
+  const { shape } = world.components.Hull;
+  for (const force of forcesCalled(world, 'polygon buoyancy')) {
+    const [waveNumber, extent, kind] = ['waveNumber', 'extent', 'shape'].map(
+      (name) => parameterOf(world, force, name)?.[0],
+    );
+    if (waveNumber === undefined || extent === undefined) continue;
+    const length = (2 * Math.PI) / waveNumber;
+    if (2 * extent <= LONGEST_HULL * length) continue;
+    const long = firstRow(world, (id) => isFloater(world, id) && shape[id] === kind);
+    if (long === 0) continue;
+    const [hull, wave] = [2 * extent, length].map((metres) => Number(metres.toPrecision(3)));
+    const warning = {
+      message: `body ${long} is ${hull} m long, and the waves ${wave} m: a hull is lifted and tilted as if the surface about its centre were a plane.`,
+      hint: 'Take waves of at least four times its length, or build it of several shorter bodies that are welded together.',
+    };
+    warnOnce(world, warning, 'long hull');
+  }
 }

@@ -7,7 +7,9 @@
 //
 // Euler, Scientia navalis (1749); the polygon is cut at the surface and summed by the shoelace formula, so it may be
 // concave. Acts on bodies whose Hull.shape is the given number, rotated by their Rotation. Corners are relative to the
-// centre of mass: a body of the shape `polygon(points)` has its centroid there, so give the shape itself, and not the points. The forces `immersedDrag` and `addedMass` take the hull for an upright box. 2D only. A body with
+// centre of mass: a body of the shape `polygon(points)` has its centroid there, so give the shape itself, and not the points. The forces `immersedDrag` and `addedMass` take the hull for an upright box.
+// In waves the surface is the plane that touches the wave above the centre of mass: a hull of a quarter of a wavelength heaves a tenth too
+// much, one of a whole wavelength as a cork where it should hardly move. 2D only. A body with
 // Inertia and AngularVelocity rotates; damp it with `angularDrag`. Cost: a sine and a cosine per body, and about 30
 // operations and a division per edge.
 import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
