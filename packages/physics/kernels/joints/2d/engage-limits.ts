@@ -23,7 +23,7 @@ import { exertCoupling, speedOfCoupling } from './solve-couplings';
 // Which limit of a joint bears: that below, that above, or both, where they leave no room between them.
 export const LOWER: i32 = 1;
 export const UPPER: i32 = -1;
-const BOTH: i32 = 2;
+export const BOTH: i32 = 2;
 
 // Before it is decided: which limits the speeds pass, and from which they lead back.
 const PASSES_LOWER: i32 = 1;

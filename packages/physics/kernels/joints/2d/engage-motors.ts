@@ -6,6 +6,7 @@ import { get } from '../../memory/columns';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { DISTANCE, JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { BOTH } from './engage-limits';
 import { LOOP } from './joint-trees';
 import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
@@ -23,28 +24,47 @@ const RESTS: i32 = 4;
 export const MOST_LOCKS: i32 = 3;
 
 // Begins a sub-step of a joint, before its motor has done anything. While a limit bears its direction is locked, and the motor pushes
-// into the limit with all its force, or is solved by itself; but a wheel turns about an axis that has no limits.
+// into the limit (`press`), or is solved by itself; but a wheel turns about an axis that has no limits.
 export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): void {
   work.motor = APART;
   work.motorLock = -1;
   work.push = 0;
-  const has = work.hasAxes != 0 && work.parent != LOOP && !isSolvedApart(work.kind);
-  const isRigid = work.locks >= MOST_LOCKS || (work.kind == DISTANCE && work.locks > 0);
-  if (!has || isRigid || !(get(t.maxMotor, work.id) > 0)) return;
+  if (work.hasAxes == 0 || isSolvedApart(work.kind)) return;
   const impulses = impulsesOf(t, work.id);
+  if (!hasOwnDirection(work)) cancelPress(impulses);
+  const isRigid = work.locks >= MOST_LOCKS || (work.kind == DISTANCE && work.locks > 0);
+  if (work.parent == LOOP || isRigid || !(get(t.maxMotor, work.id) > 0)) return;
   if (hasOwnDirection(work) || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
-  else work.motor = intoLimit(impulses, <f64>get(t.motorSpeed, work.id));
+  else work.motor = atLimit(impulses, <f64>get(t.motorSpeed, work.id));
 }
 
-// No motor pushes into its limit with more than what gives its two bodies this speed in a sub-step, m/s or rad/s. Nothing moves by it,
-// and a limit gives way by some of it (COMPLIANCE).
-const MOST_PUSH: f64 = 1000;
+// What a motor presses into its limit and what that answers act on the same two bodies along the same direction: only their sum moves
+// anything. So only that is kept for the next sub-step. The motor may be reversed in it, or the limit may be elsewhere, and one would be
+// without the other.
+function cancelPress(impulses: JointImpulses): void {
+  const pressed = impulses.motor;
+  const answer = pressed > 0 ? impulses.upper : impulses.lower;
+  if (pressed == 0 || !(answer > 0)) return;
+  const both = min<f64>(abs<f64>(pressed), answer);
+  impulses.motor = pressed > 0 ? pressed - both : pressed + both;
+  // It goes on to bear, though nothing is left to be answered.
+  const rest = max<f64>(answer - both, LEAST);
+  if (pressed > 0) impulses.upper = rest;
+  else impulses.lower = rest;
+}
+
+// A limit bears as long as it exerts more than nothing, N s.
+const LEAST: f64 = 1e-300;
+
+// Beside what it has to hold, a motor pushes into its limit with no more than what gives its two bodies this speed in a sub-step, m/s or
+// rad/s. Nothing moves by it, and a load that grows by less finds the limit where it was. A limit gives way by some of it (COMPLIANCE).
+const MOST_PRESS: f64 = 100;
 
 // @ts-ignore: decorator
-@inline function intoLimit(impulses: JointImpulses, speed: f64): i32 {
+@inline function atLimit(impulses: JointImpulses, speed: f64): i32 {
   if (speed == 0) return RESTS;
-  if (impulses.lower > 0 && impulses.upper <= 0 && speed < 0) return PUSHES_DOWN;
-  return impulses.upper > 0 && impulses.lower <= 0 && speed > 0 ? PUSHES_UP : APART;
+  if (speed < 0) return impulses.lower > 0 && impulses.upper <= 0 ? HOLDS : APART;
+  return impulses.upper > 0 && impulses.lower <= 0 ? HOLDS : APART;
 }
 
 // The largest impulse of a motor in a sub-step.
@@ -102,12 +122,22 @@ export function engageMotor(t: JointTable, rigid: RigidTable, k: i32): void {
   if (work.motor == APART) return;
   if (work.motor == HOLDS && !isLimited(work)) return lockMotor(t, work, softSpeed(t, rigid, work));
   const impulses = impulsesOf(t, work.id);
-  const row = rowOf(work, MOTOR_ROW);
-  const all = mostOf(t, rigid, work);
-  const most = isLimited(work) ? min<f64>(all, MOST_PUSH / coupling(work, row, row)) : all;
+  let most = mostOf(t, rigid, work);
+  if (isLimited(work)) {
+    const row = rowOf(work, MOTOR_ROW);
+    most = min<f64>(most, abs<f64>(impulses.motor) + MOST_PRESS / coupling(work, row, row));
+    press(work, <f64>get(t.motorSpeed, work.id));
+  }
   if (work.motor == HOLDS || work.motor == RESTS) impulses.motor = max<f64>(-most, min<f64>(most, impulses.motor));
   else impulses.motor = work.motor == PUSHES_UP ? most : -most;
   work.push = impulses.motor / softness.massScale;
+}
+
+// A motor whose speed leads into the limit that bears pushes into it, and what it presses there does not come back by itself.
+function press(work: JointWork, speed: f64): void {
+  if (work.limit == BOTH || !(speed * work.limit < 0)) return;
+  work.motor = speed > 0 ? PUSHES_UP : PUSHES_DOWN;
+  work.returns = 0;
 }
 
 // Whether a limit has locked the direction in which the motor acts.
