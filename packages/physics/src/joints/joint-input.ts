@@ -25,7 +25,10 @@ export interface JointSpring {
 export interface JointMotor {
   /** Speed that it keeps, m/s or rad/s. With 0 it is friction: it brakes by at most `max`, and what hangs on it comes to rest. */
   readonly speed: number;
-  /** Largest force, N, or torque, N m. */
+  /**
+   * Largest force, N, or torque, N m, up to 10¹². Limits of the joint hold any motor; contacts give way, by 14 mm to a hundred times the
+   * weight of what it moves, and a thousand times and more may go through walls: stop such a motor by limits.
+   */
   readonly max: number;
 }
 
