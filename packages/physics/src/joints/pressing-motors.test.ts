@@ -2,6 +2,7 @@
 // they are reversed, or when their limits are moved.
 import {
   box,
+  circle,
   createJoint,
   destroyWorld,
   distance,
@@ -16,7 +17,7 @@ import {
   step,
 } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
-import { G, rigidWorld } from '../../../../test/support/rigid-world.ts';
+import { DT, G, rigidWorld, SLOP } from '../../../../test/support/rigid-world.ts';
 
 /** Sub-steps of a step. */
 const SUBSTEPS = 4;
@@ -148,4 +149,58 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
       destroyWorld(world);
     }
   });
+
+  // At rest on its stop a door throws a ball back as fast as it came; at the speed u of its motor by 2 u faster.
+  it.each([30, 60, 120])('a door that presses and is struck throws nothing away, at %d Hz', (hz) => {
+    for (const max of [1e4, 1e6, 1e9, 1e12]) {
+      const world = rigidWorld({ precision, forces: [] });
+      const b = spawn(world, { position: { y: 1 }, mass: 100, collider: { shape: box(2, 0.5), restitution: 1 } });
+      const limits = { lower: -2, upper: 0 };
+      const motor = { speed: 2, max };
+      const joint = createJoint(world, prismatic({ b, anchor: { y: 1 }, axis: { y: 1 }, limits, motor }));
+      const shape = circle(0.5);
+      const ball = spawn(world, {
+        position: { y: 6 },
+        velocity: { y: -10 },
+        mass: 1000,
+        collider: { shape, restitution: 1 },
+      });
+      for (let i = 0; i < 3 * hz; i++) {
+        step(world, 1 / hz);
+        expect(Math.abs(world.components.Velocity.y[ball] as number)).toBeLessThan(10 + 2 * 2);
+      }
+      expect(Math.abs(jointPosition(world, joint))).toBeLessThan(beyond(2, 1 / (SUBSTEPS * hz)));
+      destroyWorld(world);
+    }
+  });
+
+  it.each([1e4, 1e6, 1e9, 1e12])(
+    'a cylinder of %d N in a net, whose joints are solved one by one, keeps to its limits',
+    (max) => {
+      const world = rigidWorld({ precision });
+      const n = 10;
+      const nodes = Array.from({ length: n * n }, (_, i) =>
+        spawn(world, { position: { x: i % n, y: -Math.floor(i / n) }, mass: 1, collider: { radius: 0.1, mask: 0 } }),
+      );
+      for (const [i, node] of nodes.entries()) {
+        if (i < n) createJoint(world, distance({ b: node, anchorA: { x: i, y: 1 } }));
+        else createJoint(world, distance({ a: nodes[i - n] as number, b: node }));
+        if (i % n > 0 && i !== n + 2) createJoint(world, distance({ a: nodes[i - 1] as number, b: node }));
+      }
+      const [a, b] = [nodes[n + 1] as number, nodes[n + 2] as number];
+      const joint = createJoint(
+        world,
+        distance({ a, b, limits: { lower: 0.8, upper: 1.2 }, motor: { speed: 1, max } }),
+      );
+      const { Joint } = world.components;
+      for (let i = 0; i < 540; i++) {
+        Joint.motorSpeed[joint] = i % 180 < 90 ? 1 : -1;
+        if (i === 360) Joint.upper[joint] = 1.4;
+        step(world, DT);
+        expect(jointPosition(world, joint)).toBeGreaterThan(0.8 - SLOP);
+        expect(jointPosition(world, joint)).toBeLessThan((Joint.upper[joint] as number) + SLOP);
+      }
+      destroyWorld(world);
+    },
+  );
 });
