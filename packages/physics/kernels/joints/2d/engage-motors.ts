@@ -31,10 +31,11 @@ export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): v
   work.push = 0;
   if (work.hasAxes == 0 || isSolvedApart(work.kind)) return;
   const impulses = impulsesOf(t, work.id);
-  if (!hasOwnDirection(work)) cancelPress(impulses);
+  const isFree = hasOwnDirection(work);
+  if (!isFree) cancelPress(impulses);
   const isRigid = work.locks >= MOST_LOCKS || (work.kind == DISTANCE && work.locks > 0);
   if (work.parent == LOOP || isRigid || !(get(t.maxMotor, work.id) > 0)) return;
-  if (hasOwnDirection(work) || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
+  if (isFree || (impulses.lower == 0 && impulses.upper == 0)) work.motor = HOLDS;
   else work.motor = atLimit(impulses, <f64>get(t.motorSpeed, work.id));
 }
 
@@ -44,13 +45,17 @@ export function startMotor(t: JointTable, rigid: RigidTable, work: JointWork): v
 function cancelPress(impulses: JointImpulses): void {
   const pressed = impulses.motor;
   const answer = pressed > 0 ? impulses.upper : impulses.lower;
-  if (pressed == 0 || !(answer > 0)) return;
   const both = min<f64>(abs<f64>(pressed), answer);
-  impulses.motor = pressed > 0 ? pressed - both : pressed + both;
+  if (!(both > 0)) return;
   // It goes on to bear, though nothing is left to be answered.
   const rest = max<f64>(answer - both, LEAST);
-  if (pressed > 0) impulses.upper = rest;
-  else impulses.lower = rest;
+  if (pressed > 0) {
+    impulses.motor = pressed - both;
+    impulses.upper = rest;
+  } else {
+    impulses.motor = pressed + both;
+    impulses.lower = rest;
+  }
 }
 
 // A limit bears as long as it exerts more than nothing, N s.
@@ -63,8 +68,9 @@ const MOST_PRESS: f64 = 100;
 // @ts-ignore: decorator
 @inline function atLimit(impulses: JointImpulses, speed: f64): i32 {
   if (speed == 0) return RESTS;
-  if (speed < 0) return impulses.lower > 0 && impulses.upper <= 0 ? HOLDS : APART;
-  return impulses.upper > 0 && impulses.lower <= 0 ? HOLDS : APART;
+  const ahead = speed < 0 ? impulses.lower : impulses.upper;
+  const behind = speed < 0 ? impulses.upper : impulses.lower;
+  return ahead > 0 && behind <= 0 ? HOLDS : APART;
 }
 
 // The largest impulse of a motor in a sub-step.
