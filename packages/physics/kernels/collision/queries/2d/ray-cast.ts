@@ -105,8 +105,12 @@ function entersArc(shape: Shape, x: real, y: real, dx: real, dy: real): bool {
     if (t < 0 || t > fraction) continue;
     enters = true;
     fraction = t;
-    entryX = (fromX + t * dx) / shape.radius;
-    entryY = (fromY + t * dy) / shape.radius;
+    entryX = fromX + t * dx;
+    entryY = fromY + t * dy;
+    // What is far from its start meets a small disc beside its surface, by rounding.
+    const size = sqrt<real>(entryX * entryX + entryY * entryY);
+    entryX /= size;
+    entryY /= size;
   }
   return enters;
 }

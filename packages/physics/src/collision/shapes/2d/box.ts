@@ -26,7 +26,7 @@ export function box(width: number, height: number, options: RoundingOptions = {}
     throw new PhysicsError('E_RANGE', `box: rounding is ${radius} m in a box of ${width} m by ${height} m.`, {
       field: 'box: rounding',
       value: radius,
-      hint: 'It must be less than half of the shorter side; for round ends use capsule(length, radius).',
+      hint: `It must be less than half of the shorter side, of which ${MIN_LENGTH} m must be left; for round ends use capsule(length, radius).`,
     });
   }
   return makeShape('polygon', [-x, -y, x, -y, x, y, -x, y], radius);
