@@ -13,7 +13,7 @@ export interface JointLimits {
 
 /** A damped spring along the free coordinate. */
 export interface JointSpring {
-  /** Frequency, Hz; from a twelfth of the rate of sub-steps on, 20 Hz by default, the spring loses energy by itself. */
+  /** Frequency, Hz; from a twelfth of the rate of sub-steps on, 20 Hz by default, the spring loses energy by itself, and very fast ones are less stiff. */
   readonly hertz: number;
   /** 1 is critical; default 1. */
   readonly dampingRatio?: number;

@@ -8,8 +8,9 @@ import { softness } from '../../solver/2d/softness';
 import { DISTANCE, JointImpulses, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { BOTH } from './engage-limits';
 import { LOOP } from './joint-trees';
+import { relaxSpring } from './engage-springs';
 import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
-import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { JointWork, MOST_LOCKS, MOTOR_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
 import { endPush } from './push-axes';
 
 // What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
@@ -19,9 +20,6 @@ const PUSHES_UP: i32 = 2;
 const PUSHES_DOWN: i32 = 3;
 // A brake at a limit goes on with what it exerted: it changes nothing there, and no joint trembles.
 const RESTS: i32 = 4;
-
-// The rows that are locked at most.
-export const MOST_LOCKS: i32 = 3;
 
 // Begins a sub-step of a joint, before its motor has done anything. While a limit bears its direction is locked, and the motor pushes
 // into the limit (`press`), or is solved by itself; but a wheel turns about an axis that has no limits.
@@ -152,14 +150,6 @@ function press(work: JointWork, speed: f64): void {
   return work.limit != 0 && !hasOwnDirection(work);
 }
 
-// Whether a motor acts in another direction than limits do.
-// @ts-ignore: decorator
-@inline export function hasOwnDirection(work: JointWork): bool {
-  const motor = rowOf(work, MOTOR_ROW);
-  const limits = rowOf(work, SPRING_ROW);
-  return motor.x != limits.x || motor.y != limits.y;
-}
-
 function lockMotor(t: JointTable, work: JointWork, speed: f64): void {
   work.motorLock = addLock(work, rowOf(work, MOTOR_ROW), 0, -speed);
   impulsesOf(t, work.id).motor = 0;
@@ -180,6 +170,7 @@ export function exchangeMotors(t: JointTable, rigid: RigidTable): bool {
     const work = workAt(t, k);
     const pushed = softness.massScale * work.push;
     endPush(work);
+    relaxSpring(t, work);
     if (work.motor != APART && (work.motorLock >= 0 ? overload(t, rigid, work) : overtake(t, rigid, work, pushed)))
       any = true;
   }

@@ -5,10 +5,9 @@ import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { LOWER, UPPER, hasTreeLimits, lowerOf, upperOf } from './engage-limits';
-import { MOST_LOCKS, hasOwnDirection } from './engage-motors';
 import { JointTable, PULLEY, impulsesOf, isSolvedApart } from './joint-table';
 import { addLock, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
-import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { JointRow, JointWork, MOST_LOCKS, MOTOR_ROW, SPRING_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
 import { jointsOfTree } from './list-by-tree';
 
 // Locks what the joints of a tree pass within the step, faster than `slowest`, m/s. Returns whether there is anything.

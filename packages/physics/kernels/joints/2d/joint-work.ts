@@ -32,11 +32,18 @@ export class JointWork {
   // What its motor does with its tree, 0 for nothing, and its row among the locked directions, -1 for none (engage-motors.ts).
   motor: i32;
   motorLock: i32;
+  // The row of its spring among the locked directions, -1 for none (engage-springs.ts).
+  springLock: i32;
+  // How many springs that are solved one after another act on its bodies (count-springs.ts).
+  springs: i32;
   // Whether its limit is passed, and comes back by itself.
   returns: i32;
   // What a motor that pushes and a spring add to the impulses on the tree in this pass, N s or N m s (push-axes.ts).
   push: f64;
   springPush: f64;
+  // Of a spring among the locked directions: how much it gives way, 1/kg, and how fast its error is to go, m/s.
+  give: f64;
+  springBias: f64;
   // 1 with a spring, a motor or limits, and for motor joints, pulleys and gears.
   hasAxes: i32;
   // Rows of the states of a and b, 0 for one that does not move, and of their poses.
@@ -163,6 +170,17 @@ export const MOTOR_ROW: i32 = 4;
 // @ts-ignore: decorator
 @inline export function workAt(t: JointTable, i: i32): JointWork {
   return changetype<JointWork>(t.works + <usize>i * SIZE);
+}
+
+// The rows that are locked at most.
+export const MOST_LOCKS: i32 = 3;
+
+// Whether a motor acts in another direction than limits and a spring do.
+// @ts-ignore: decorator
+@inline export function hasOwnDirection(work: JointWork): bool {
+  const motor = rowOf(work, MOTOR_ROW);
+  const limits = rowOf(work, SPRING_ROW);
+  return motor.x != limits.x || motor.y != limits.y;
 }
 
 const PLACE: usize = offsetof<JointPlace>();

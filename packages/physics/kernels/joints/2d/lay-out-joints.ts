@@ -5,11 +5,12 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { ARTICULATED_BODY_SIZE, ARTICULATED_MASS_SIZE, articulated } from './articulated-body';
 import { startJointed } from './brace-joints';
 import { colorLoops, layOutLoops } from './color-loops';
+import { countSprings } from './count-springs';
 import { JointTable, impulsesOf } from './joint-table';
 import { CLOSING, PARENT_B, childOf, indexAbove, isInTree, orderTrees, setOf } from './joint-trees';
 import { JointPlace, PLAIN, WARM, clearRows, placeAt, signOf, workAt } from './joint-work';
 import { forgetTrees, listByTree } from './list-by-tree';
-import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, POWERED, dropUnused } from './list-active';
+import { AXES, A_MOVES, B_MOVES, HINGE, LIMITED, LOCKED_END, POWERED, SPRING, dropUnused } from './list-active';
 import { findMechanisms } from './mechanisms';
 
 export function layOutJoints(t: JointTable, rigid: RigidTable): void {
@@ -31,6 +32,7 @@ export function layOutJoints(t: JointTable, rigid: RigidTable): void {
   markWarmTrees(t);
   for (let k = 0; k < t.workCount; k++) layOutJoint(t, k);
   listByTree(t);
+  countSprings(t);
 }
 
 // Marks the sets of bodies whose joints must begin with what they exerted.
@@ -65,8 +67,8 @@ function layOutJoint(t: JointTable, k: i32): void {
   const at = placeAt(t, k);
   at.id = id;
   at.parent = word(t.parents, i);
-  // A hinge that has limits or a motor, or closes a loop and stands in no block, is solved by rows, as other joints are.
-  const isHinge = (role & (HINGE | LIMITED | POWERED)) == HINGE && isInTree(at.parent);
+  // A hinge that has a spring, limits or a motor, or closes a loop and stands in no block, is solved by rows, as other joints are.
+  const isHinge = (role & (HINGE | SPRING | LIMITED | POWERED)) == HINGE && isInTree(at.parent);
   at.hinge = !isHinge ? 0 : isWarm(t, i) ? WARM : PLAIN;
   if (at.hinge != PLAIN) {
     t.otherCount++;
@@ -76,8 +78,10 @@ function layOutJoint(t: JointTable, k: i32): void {
   work.limit = 0;
   work.motor = 0;
   work.motorLock = -1;
+  work.springLock = -1;
   work.push = 0;
   work.springPush = 0;
+  work.springs = 1;
   work.acrossInverse = 0;
   work.reach = 1;
   at.parentRow = at.parent == PARENT_B ? work.b : work.a;

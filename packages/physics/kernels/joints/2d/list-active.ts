@@ -18,7 +18,7 @@ import {
 // gear.
 export const LOCKS: i32 = 1;
 export const HINGE: i32 = 2;
-const SPRING: i32 = 4;
+export const SPRING: i32 = 4;
 export const POWERED: i32 = 8;
 export const LIMITED: i32 = 16;
 const SPECIAL: i32 = 32;

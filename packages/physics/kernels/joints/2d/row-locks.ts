@@ -46,6 +46,7 @@ export function factorJoint(t: JointTable, at: JointPlace, work: JointWork): voi
   work.i11 = share * couplingOnRails(work, r1, r1);
   work.i12 = share * couplingOnRails(work, r1, r2);
   work.i22 = share * couplingOnRails(work, r2, r2);
+  giveWay(work);
   if (at.below != 0) {
     const mass = massBeside(t, at.below);
     addOwnMass(mass, changetype<ArticulatedBody>(at.below));
@@ -58,6 +59,13 @@ export function factorJoint(t: JointTable, at: JointPlace, work: JointWork): voi
   if (work.locks < 1) work.i00 = 1;
   invert(changetype<usize>(work) + offsetof<JointWork>('i00'));
   if (at.above != 0) addToParent(massBeside(t, at.above), work, r0, r1, r2);
+}
+
+// Where one of the directions is a spring, it is as soft as that, and no softer.
+// @ts-ignore: decorator
+@inline function giveWay(work: JointWork): void {
+  if (work.springLock == 2) work.i22 = max<f64>(work.i22, work.give);
+  else if (work.springLock == 1) work.i11 = max<f64>(work.i11, work.give);
 }
 
 // Adds J W Jᵀ for the inverse mass matrix W of the child.

@@ -7,26 +7,18 @@
 //
 // Source: Box2D 3 (revolute_joint.c, prismatic_joint.c).
 import { get } from '../../memory/columns';
-import { BodyState, poseOf, word } from '../../solver/2d/body';
+import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { softenSpring, softness } from '../../solver/2d/softness';
-import {
-  DISTANCE,
-  JointImpulses,
-  JointTable,
-  MOTOR,
-  REVOLUTE,
-  WELD,
-  impulsesOf,
-  isCoupling,
-  isSolvedApart,
-} from './joint-table';
+import { softness } from '../../solver/2d/softness';
+import { DISTANCE, JointImpulses, JointTable, MOTOR, impulsesOf, isCoupling, isSolvedApart } from './joint-table';
 import { APART, speedFor } from './engage-motors';
+import { isSpringAlone } from './engage-springs';
 import { CLOSING, LOOP } from './joint-trees';
 import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
 import { solveCoupling } from './solve-couplings';
+import { softenAlone } from './spring-softness';
 import { solveMotorJoint } from './solve-motor-joint';
 
 export function solveAxes(table: usize, soft: i32): void {
@@ -40,7 +32,8 @@ export function solveAxes(table: usize, soft: i32): void {
     if (work.kind == MOTOR) solveMotorJoint(t, work, impulses, rigid);
     if (isCoupling(work.kind) && work.parent != CLOSING) solveCoupling(t, work, impulses, soft != 0);
     if (isSolvedApart(work.kind)) continue;
-    if (get(t.hertz, work.id) > 0) solveSpring(t, work, a, b, impulses, rigid.h);
+    if (get(t.hertz, work.id) > 0 && work.springLock < 0 && !(soft != 0 && isSpringAlone(t, work)))
+      solveSpring(t, work, a, b, impulses, rigid.h);
     if (get(t.maxMotor, work.id) > 0 && work.motor == APART) solveMotor(t, work, a, b, impulses, rigid.h);
     if (word(t.hasLimits, work.id) != 0 && work.parent == LOOP) solveLimits(t, work, a, b, impulses, soft != 0);
   }
@@ -51,27 +44,12 @@ function solveSpring(t: JointTable, work: JointWork, a: BodyState, b: BodyState,
   const row = rowOf(work, SPRING_ROW);
   const rest = work.kind == DISTANCE ? <f64>get(t.length, id) : 0;
   const k = coupling(work, row, row);
-  const hertz = <f64>get(t.hertz, id);
-  const rate = min<f64>(rateOf(t, work, k), max<f64>(1, MOST_OF_RATE / (h * hertz)));
-  softenSpring(rate * hertz, rate * <f64>get(t.dampingRatio, id), h);
+  softenAlone(t, work, k, h);
   const bias = softness.biasRate * (row.error - rest);
   const wanted = softImpulse(k, speedAlong(a, b, row) + bias, to.spring);
   const impulse = withinForce(wanted, to.spring, <f64>get(t.maxForce, id) * h);
   to.spring += impulse;
   applyAlong(work, a, b, row, impulse);
-}
-
-// A spring that is tied to a light body far from its centre would swing that faster than sub-steps can follow, and with it all that
-// hangs on it: it is as stiff as at this part of their rate.
-const MOST_OF_RATE: f64 = 1 / 12;
-
-// A spring along a line has the stiffness m ω² and the damping 2ζ m ω for the reduced mass m of its bodies, wherever it is tied to
-// them. The mass 1/k that it moves depends on that and on how they lie: on it, this times ω and ζ are the same stiffness and damping.
-function rateOf(t: JointTable, work: JointWork, k: f64): f64 {
-  if (work.kind == REVOLUTE || work.kind == WELD) return 1;
-  const rigid = changetype<RigidTable>(t.rigid);
-  const inverseMass = <f64>poseOf(rigid, work.rowA).inverseMass + <f64>poseOf(rigid, work.rowB).inverseMass;
-  return inverseMass > 0 ? sqrt<f64>(k / inverseMass) : 1;
 }
 
 // Keeps what a spring exerts in a step below its largest force.

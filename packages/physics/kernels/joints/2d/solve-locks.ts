@@ -17,6 +17,7 @@ import { notePull } from './brace-rods';
 import { closeAllLoops } from './close-loops';
 import { engageLimit, predictLimits, releaseLimits, settleLimit, takeBackLimits } from './engage-limits';
 import { engageMotor, exchangeMotors, predictMotor, settleMotor, takeBackMotor } from './engage-motors';
+import { engageSpring, settleSpring } from './engage-springs';
 import { exertHinge, gatherHinge, measureHinge, watchHinge } from './hinge-locks';
 import { DISTANCE, JointTable, impulsesOf } from './joint-table';
 import { LOOP } from './joint-trees';
@@ -56,6 +57,7 @@ function engageAll(t: JointTable, rigid: RigidTable): void {
   for (let k = 0; k < t.closedCount; k++) {
     engageLimit(t, rigid, k);
     engageMotor(t, rigid, k);
+    engageSpring(t, rigid, workAt(t, k));
   }
 }
 
@@ -106,6 +108,7 @@ export function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool
   if (at.hinge == PLAIN) return watchHinge(at);
   settleLimit(t, workAt(t, k));
   settleMotor(t, workAt(t, k));
+  settleSpring(t, workAt(t, k));
   watchJoint(t, k);
 }
 

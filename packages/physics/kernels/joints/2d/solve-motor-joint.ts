@@ -8,6 +8,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { soften, softness } from '../../solver/2d/softness';
 import { JointImpulses, JointTable } from './joint-table';
 import { JointWork, rowOf } from './joint-work';
+import { mostAlone } from './spring-softness';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 
 // The row of the angle, after those of x and y.
@@ -18,7 +19,7 @@ export function solveMotorJoint(t: JointTable, work: JointWork, impulses: JointI
   const a = stateA(rigid, work);
   const b = stateB(rigid, work);
   const hertz = <f64>get(t.hertz, id);
-  if (hertz > 0) soften(hertz, <f64>get(t.dampingRatio, id), rigid.h);
+  if (hertz > 0) soften(min<f64>(hertz, mostAlone(work) / rigid.h), <f64>get(t.dampingRatio, id), rigid.h);
   else stop();
   turnTo(work, a, b, impulses, hertz > 0 ? 0 : <f64>get(t.motorSpeed, id), <f64>get(t.maxMotor, id) * rigid.h);
   pullTo(work, a, b, impulses, <f64>get(t.maxForce, id) * rigid.h);
