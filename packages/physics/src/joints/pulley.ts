@@ -20,7 +20,8 @@ export interface PulleyOptions extends EveryJointOptions {
 
 /**
  * A rope over two wheels. It pulls both bodies, and may be slack. `jointForce` and `breakForce` are the force on b, which is
- * `ratio` times that on a.
+ * `ratio` times that on a. A body
+ * that is drawn up to its wheel rests there, and the force is then what holds it.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */
 export function pulley(options: PulleyOptions): JointInput {

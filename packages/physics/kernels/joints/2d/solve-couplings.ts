@@ -12,7 +12,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { JointedBody, jointed } from './brace-joints';
 import { bend, chordOfLength, withinSpeed } from './chords';
-import { JointImpulses, JointTable, PULLEY } from './joint-table';
+import { JointImpulses, JointTable, PULLEY, impulsesOf } from './joint-table';
 import { JointRow, JointWork, MOTOR_ROW, SPRING_ROW, rowOf } from './joint-work';
 import { bounded, stateA, stateB } from './joint-rows';
 import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
@@ -38,20 +38,44 @@ export function measurePulley(t: JointTable, work: JointWork): void {
   const ay = <f64>a.y + <f64>stateA(rigid, work).dy + ray - <f64>get(t.pulleyAy, id);
   const bx = <f64>b.x + <f64>stateB(rigid, work).dx + rbx - <f64>get(t.pulleyBx, id);
   const by = <f64>b.y + <f64>stateB(rigid, work).dy + rby - <f64>get(t.pulleyBy, id);
-  const ropeA = shorten(rowOf(work, ROW_A), ax, ay, rax, ray, 1);
-  const ropeB = shorten(rowOf(work, ROW_B), bx, by, rbx, rby, ratio);
-  const chordA = chordOfRope(rowOf(work, ROW_A), jointed(t, work.a), rax, ray, ropeA, 1);
-  const chordB = chordOfRope(rowOf(work, ROW_B), jointed(t, work.b), rbx, rby, ropeB, ratio);
+  const pull = pullOfLate(impulsesOf(t, id));
+  const leastA = leastRope(rigid.h, pull, <f64>a.inverseMass, 1);
+  const leastB = leastRope(rigid.h, pull, <f64>b.inverseMass, ratio);
+  const ropeA = shorten(rowOf(work, ROW_A), ax, ay, rax, ray, 1, leastA);
+  const ropeB = shorten(rowOf(work, ROW_B), bx, by, rbx, rby, ratio, leastB);
+  const chordA = chordOfRope(rowOf(work, ROW_A), jointed(t, work.a), rax, ray, ropeA, 1, leastA);
+  const chordB = chordOfRope(rowOf(work, ROW_B), jointed(t, work.b), rbx, rby, ropeB, ratio, leastB);
   const speedA = speedOfRope(rowOf(work, ROW_A), jointed(t, work.a));
   const speedB = speedOfRope(rowOf(work, ROW_B), jointed(t, work.b));
   rowOf(work, ROW_B).chord = withinSpeed(chordA + chordB, speedA + speedB);
   rowOf(work, ROW_B).error = <f64>get(t.length, id) - ropeA - ratio * ropeB;
 }
 
+// A rope with the force F, from one sub-step to the next, swings a mass m with the frequency √(F/(l m)), which sub-steps can follow
+// down to this length. What is drawn up to its wheel comes to rest there: nearer to it the rope pulls by less, in proportion to its
+// length. Else it would throw its body from side to side, and give way each time.
+// @ts-ignore: decorator
+@inline function leastRope(h: f64, pull: f64, inverseMass: f64, ratio: f64): f64 {
+  return max<f64>(MIN_ROPE, FOLLOWED * h * ratio * pull * inverseMass);
+}
+
+// The greatest pull of late: a rope that jerks pulls in some sub-steps only.
+// @ts-ignore: decorator
+@inline function pullOfLate(impulses: JointImpulses): f64 {
+  impulses.lock1 = max<f64>(impulses.upper, KEPT * impulses.lock1);
+  return impulses.lock1;
+}
+
+// How much of the greatest pull is left after a sub-step.
+const KEPT: f64 = 0.9;
+
+// h² F/m as a part of the length.
+const FOLLOWED: f64 = 2;
+
 // The row along which a rope gets shorter, `ratio` times. Returns the length of the rope.
-function shorten(row: JointRow, x: f64, y: f64, rx: f64, ry: f64, ratio: f64): f64 {
+function shorten(row: JointRow, x: f64, y: f64, rx: f64, ry: f64, ratio: f64, least: f64): f64 {
   const length = sqrt<f64>(x * x + y * y);
-  const k = length > MIN_ROPE ? -ratio / length : 0;
+  const k = -ratio / max<f64>(length, least);
   row.x = k * x;
   row.y = k * y;
   row.armA = rx * row.y - ry * row.x;
@@ -65,8 +89,8 @@ function speedOfRope(row: JointRow, body: JointedBody): f64 {
 }
 
 // The chord (chords.ts) of a rope that gets shorter along a row, `ratio` times; its body is held at (rx, ry) from its centre.
-function chordOfRope(row: JointRow, body: JointedBody, rx: f64, ry: f64, length: f64, ratio: f64): f64 {
-  if (!(length > MIN_ROPE) || ratio == 0) return 0;
+function chordOfRope(row: JointRow, body: JointedBody, rx: f64, ry: f64, length: f64, ratio: f64, least: f64): f64 {
+  if (!(length > least) || ratio == 0) return 0;
   const across = (row.x * (body.vy + body.w * rx) - row.y * (body.vx - body.w * ry)) / ratio;
   const turning = bend(body.w, body.halfStep) * (row.x * rx + row.y * ry);
   return -ratio * chordOfLength(length, across, body.halfStep) - turning;
