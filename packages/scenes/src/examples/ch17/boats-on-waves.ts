@@ -183,7 +183,7 @@ export default defineExample({
   duration: 40,
   parameters: {
     amplitude: { label: 'Height of the crests', unit: 'm', initial: 0.45, min: 0, max: 0.8 },
-    length: { label: 'Wavelength', unit: 'm', initial: 20, min: 12, max: 60 },
+    length: { label: 'Wavelength', unit: 'm', initial: 20, min: 14, max: 60 },
     mast: { label: 'Lamp above the deck', unit: 'm', initial: 0.8, min: 0.3, max: 4 },
   },
   presets: [
