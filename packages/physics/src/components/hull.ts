@@ -4,7 +4,7 @@ import { defineComponent, real, u32 } from './define.ts';
 export const Hull = defineComponent({
   scalar: 'volume',
   fields: {
-    /** Volume when fully immersed, m³. */
+    /** Volume when fully immersed, m³. By default a metre of the shape with which the body is spawned, or 1 m³. */
     volume: real('m³', { initial: 1, bounds: { min: 0, max: 1e38 } }),
     /**
      * Half the height from bottom to top, m. By default half the height of the upright shape with which the body is spawned;

@@ -11,6 +11,8 @@ import {
   polygon,
   polygonBuoyancy,
   rigidBodies,
+  type Shape,
+  segment,
   spawn,
   spawnMany,
   uniformGravity,
@@ -50,6 +52,15 @@ describe('the half height of a hull', () => {
         expect(volume[body]).toBe(2);
       }
     }
+  });
+
+  test('and its volume is a metre of the shape, or 1 m³ where that has no area', () => {
+    const volumeOf = (shape: Shape, hull: object = { shape: 1 }) =>
+      volume[spawn(world, { position: {}, collider: { shape }, hull })];
+    expect(volumeOf(box(4, 0.4))).toBeCloseTo(1.6, 12);
+    expect(volumeOf(circle(0.7))).toBeCloseTo(Math.PI * 0.49, 12);
+    expect(volumeOf(segment({}, { x: 2 }))).toBe(1);
+    expect(volumeOf(box(4, 0.4), { volume: 0 })).toBe(0);
   });
 
   test('is as given where it is given, also zero, and of each of many', () => {

@@ -116,14 +116,15 @@ function isBox([ax, ay, bx, by, cx, cy, dx, dy, ...more]: readonly number[]): bo
   return isRectangle && more.length === 0;
 }
 
-/** A hull is as high as its shape when it is upright: the circle around a flat box is far higher. */
-function completeHull(body: Record<string, unknown>, { vertices, radius }: Shape): void {
+/** A hull is as high as its shape when it is upright, because the circle around a flat box is far higher, and as large as a metre of it. */
+function completeHull(body: Record<string, unknown>, { vertices, radius, area }: Shape): void {
   const { hull } = body;
   if (hull === undefined || hull === null) return;
   const heights = vertices.filter((_, i) => i % 2 === 1);
   const halfHeight = (Math.max(...heights) - Math.min(...heights)) / 2 + radius;
   const isList = Array.isArray(hull) || ArrayBuffer.isView(hull);
-  body.hull = { halfHeight, ...(typeof hull === 'object' && !isList ? hull : { volume: hull }) };
+  const volume = area > 0 ? { volume: area } : {};
+  body.hull = { halfHeight, ...volume, ...(typeof hull === 'object' && !isList ? hull : { volume: hull }) };
 }
 
 /** What `spawn` does with shapes. */
