@@ -67,4 +67,20 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     // By itself the motor takes over what the limit bears by as much as gives the bar its speed: 0.5 N m s of 1.6 in a pass.
     expect(before - rest).toBeGreaterThan(speed * (2 - 2 * DT));
   });
+
+  it('one beside a spring comes to its speed and no further', () => {
+    const world = rigidWorld({ precision, forces: [] });
+    const b = spawn(world, { position: { x: 1 }, mass: 10, inertia: 1, collider: { radius: 0.2 } });
+    // 50 N m bring 11 kg m² to 1 rad/s in a quarter of a second, against a spring that takes up to 0.3 of them.
+    const motor = { speed: 1, max: 50 };
+    createJoint(world, revolute({ b, anchor: {}, spring: { hertz: 1, dampingRatio: 0.1 }, motor }));
+    const { z: spin } = world.components.AngularVelocity;
+    let most = 0;
+    for (let k = 0; k < 40; k++) {
+      step(world, DT);
+      most = Math.max(most, spin[b]);
+    }
+    expect(most).toBeGreaterThan(0.999);
+    expect(most).toBeLessThan(1.001);
+  });
 });

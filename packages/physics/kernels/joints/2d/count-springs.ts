@@ -7,7 +7,7 @@ import { JointTable, MOTOR, isCoupling } from './joint-table';
 import { JointWork, workAt } from './joint-work';
 import { treeOfRow } from './list-by-tree';
 
-// Notes at each such joint the number of the one of its bodies that has more, 0 where it is the only joint of both. What joints do not
+// Notes at each such joint the number of the one of its bodies that has more, 0 where it is the only such spring of bodies in no tree. What joints do not
 // move has none.
 export function countSprings(t: JointTable): void {
   for (let i = 0; i < t.axisCount; i++) {

@@ -150,6 +150,7 @@ function lock(work: JointWork, from: JointRow, side: i32, error: f64): void {
     return;
   }
   work.limitLock = addLock(work, from, error, from.chord);
+  if (work.limitLock < 0) work.limit = 0;
 }
 
 // Takes back what a gear and the limits of a joint exerted in the last sub-step, as what locked directions did.

@@ -10,11 +10,10 @@ import { BOTH } from './engage-limits';
 import { LOOP } from './joint-trees';
 import { relaxSpring } from './engage-springs';
 import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
-import { JointWork, MOST_LOCKS, MOTOR_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
+import { APART, JointWork, MOST_LOCKS, MOTOR_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
 import { endPush } from './push-axes';
 
 // What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
-export const APART: i32 = 0;
 const HOLDS: i32 = 1;
 const PUSHES_UP: i32 = 2;
 const PUSHES_DOWN: i32 = 3;
@@ -152,7 +151,7 @@ function press(work: JointWork, speed: f64): void {
 
 function lockMotor(t: JointTable, work: JointWork, speed: f64): void {
   work.motorLock = addLock(work, rowOf(work, MOTOR_ROW), 0, -speed);
-  impulsesOf(t, work.id).motor = 0;
+  if (work.motorLock >= 0) impulsesOf(t, work.id).motor = 0;
 }
 
 // The speed to solve for in a soft pass so that the joint then has that of its motor. A locked direction gives way under a load until
@@ -195,6 +194,7 @@ function overtake(t: JointTable, rigid: RigidTable, work: JointWork, pushed: f64
   const impulses = impulsesOf(t, work.id);
   if (isLimited(work) || !(impulses.motor * excessOf(t, rigid, work) > 0)) return false;
   lockMotor(t, work, speedFor(t, work));
+  if (work.motorLock < 0) return false;
   work.push = 0;
   store<f64>(lockAddress(impulses, work.motorLock), pushed);
   return true;

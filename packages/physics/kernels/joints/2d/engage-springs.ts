@@ -13,7 +13,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { DISTANCE, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { isInTree } from './joint-trees';
-import { JointWork, MOST_LOCKS, SPRING_ROW, hasOwnDirection, rowOf } from './joint-work';
+import { APART, JointWork, MOST_LOCKS, SPRING_ROW, hasOwnDirection, rowOf } from './joint-work';
 import { addLock, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { softenJoint } from './soft-impulse';
 import { softenInTree } from './spring-softness';
@@ -31,11 +31,12 @@ export function isSpringAlone(t: JointTable, work: JointWork): bool {
   return !(get(t.maxMotor, work.id) > 0) || hasOwnDirection(work);
 }
 
-// After limits and motors: where none of them has locked its direction, a spring gives way in it.
+// After limits and motors: where none of them acts in its direction, a spring gives way in it.
 export function engageSpring(t: JointTable, rigid: RigidTable, work: JointWork): void {
   work.springLock = -1;
   if (!hasTreeSpring(t, work) || work.limit != 0 || work.locks >= MOST_LOCKS) return;
-  if (work.motorLock >= 0 && !hasOwnDirection(work)) return;
+  // A motor that pushes may come to hold its speed in this sub-step, and then needs the row.
+  if (work.motor != APART && !hasOwnDirection(work)) return;
   const row = rowOf(work, SPRING_ROW);
   const k = coupling(work, row, row);
   if (!(k > 0)) return;

@@ -241,7 +241,7 @@ import { COMPLIANCE } from './soft-impulse';
   );
 }
 
-// The same, without noting the impulse of the hinge.
+// As `exertHinge`, without noting the impulse of the hinge.
 // @ts-ignore: decorator
 @inline export function passHinge(rigid: RigidTable, at: JointPlace, start: HingeStart, soft: bool): void {
   const from = changetype<ArticulatedBody>(at.above);

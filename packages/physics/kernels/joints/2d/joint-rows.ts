@@ -2,7 +2,7 @@
 import { BodyState, stateOf } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { JointImpulses, lockAddress } from './joint-table';
-import { JointRow, JointWork, rowOf } from './joint-work';
+import { JointRow, JointWork, MOST_LOCKS, rowOf } from './joint-work';
 
 export function speedAlong(a: BodyState, b: BodyState, row: JointRow): f64 {
   const linear = row.x * (<f64>b.vx - <f64>a.vx) + row.y * (<f64>b.vy - <f64>a.vy);
@@ -88,14 +88,25 @@ export function setRow(row: JointRow, x: f64, y: f64, armA: f64, armB: f64, erro
   row.chord = chord;
 }
 
-// Makes a direction of a joint one of its locked ones for this sub-step, as a limit or a motor does. Returns its number.
+// Makes a direction of a joint one of its locked ones for this sub-step, as a limit or a motor does. Returns its number, -1 if there is
+// no row left for it.
 export function addLock(work: JointWork, from: JointRow, error: f64, chord: f64): i32 {
-  setRow(rowOf(work, work.locks), from.x, from.y, from.armA, from.armB, error, chord);
-  return work.locks++;
+  let lock = work.ownLocks;
+  while (lock < work.locks && !isEmpty(rowOf(work, lock))) lock++;
+  if (lock >= MOST_LOCKS) return -1;
+  setRow(rowOf(work, lock), from.x, from.y, from.armA, from.armB, error, chord);
+  work.locks = max<i32>(work.locks, lock + 1);
+  return lock;
 }
 
-// Takes it out again. Its row stays, without a direction.
+// Takes it out again. Its row stays, without a direction, as long as there is another one behind it.
 export function removeLock(work: JointWork, impulses: JointImpulses, lock: i32): void {
   memory.fill(changetype<usize>(rowOf(work, lock)), 0, offsetof<JointRow>());
   store<f64>(lockAddress(impulses, lock), 0);
+  while (work.locks > work.ownLocks && isEmpty(rowOf(work, work.locks - 1))) work.locks--;
+}
+
+// @ts-ignore: decorator
+@inline function isEmpty(row: JointRow): bool {
+  return row.x == 0 && row.y == 0 && row.armA == 0 && row.armB == 0;
 }

@@ -32,6 +32,8 @@ export class JointWork {
   // What its motor does with its tree, 0 for nothing, and its row among the locked directions, -1 for none (engage-motors.ts).
   motor: i32;
   motorLock: i32;
+  // How many directions it locks itself, before limits, motor and spring.
+  ownLocks: i32;
   // The row of its spring among the locked directions, -1 for none (engage-springs.ts).
   springLock: i32;
   // How many springs that are solved one after another act on its bodies (count-springs.ts).
@@ -171,6 +173,9 @@ export const MOTOR_ROW: i32 = 4;
 @inline export function workAt(t: JointTable, i: i32): JointWork {
   return changetype<JointWork>(t.works + <usize>i * SIZE);
 }
+
+// What the motor of a joint does with its tree: nothing (engage-motors.ts).
+export const APART: i32 = 0;
 
 // The rows that are locked at most.
 export const MOST_LOCKS: i32 = 3;

@@ -83,6 +83,7 @@ function measureLocks(t: JointTable, work: JointWork): void {
   if (kind == MOTOR) followPoint(t, work);
   if (kind == PULLEY) measurePulley(t, work);
   if (kind == GEAR) measureGear(t, work);
+  work.ownLocks = work.locks;
 }
 
 function aboutAngle(row: JointRow, angle: f64): void {

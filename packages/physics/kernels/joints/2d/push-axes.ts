@@ -1,5 +1,5 @@
-// What springs do to a tree in whose matrix they are not (engage-springs.ts), and motors that push with all they have. Their joints pass it on at once: as impulses on the bodies of the
-// tree, among those of all joints. Done to their two bodies alone it would turn a light one on which much hangs a hundred times as
+// What springs do to a tree in whose matrix they are not (engage-springs.ts), and motors that push with all they have. Their joints pass
+// it on at once: as impulses on the bodies of the tree, among those of all joints. Done to their two bodies alone it would turn a light one on which much hangs a hundred times as
 // fast, and a soft pass leaves a part of that for the positions (softness.ts). Such a pass moves bodies by a part only of what is
 // pushed: it is given so much more that all of it acts before positions follow. What comes after them is a force of a moment ago, with
 // which springs gain energy, and what motors press slips.

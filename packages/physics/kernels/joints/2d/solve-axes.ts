@@ -2,8 +2,10 @@
 //
 //   spring   a damped spring of frequency f and damping ratio ζ about its rest (softness.ts)
 //   motor    Δλ = -m (u - speed), |λ| at most the largest force times h
-//   limits   Δλ = -m (u + s/h) where the limit is s away, else soft as a locked direction; λ >= 0; those of joints in trees are
-//            solved with these (engage-limits.ts)
+//   limits   Δλ = -m (u + s/h) where the limit is s away, else soft as a locked direction; λ >= 0
+//
+// Those of joints in trees are solved with the locked directions of these (engage-limits.ts, engage-motors.ts, engage-springs.ts):
+// here are the others.
 //
 // Source: Box2D 3 (revolute_joint.c, prismatic_joint.c).
 import { get } from '../../memory/columns';
@@ -11,10 +13,10 @@ import { BodyState, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { DISTANCE, JointImpulses, JointTable, MOTOR, impulsesOf, isCoupling, isSolvedApart } from './joint-table';
-import { APART, speedFor } from './engage-motors';
+import { speedFor } from './engage-motors';
 import { isSpringAlone } from './engage-springs';
 import { CLOSING, LOOP } from './joint-trees';
-import { JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
+import { APART, JointWork, MOTOR_ROW, SPRING_ROW, rowOf, workAt } from './joint-work';
 import { applyAlong, coupling, finite, speedAlong, stateA, stateB } from './joint-rows';
 import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
 import { solveCoupling } from './solve-couplings';

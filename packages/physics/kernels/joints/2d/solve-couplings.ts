@@ -21,7 +21,7 @@ import { limitImpulse, softImpulse, softenJoint } from './soft-impulse';
 export const ROW_A: i32 = MOTOR_ROW;
 export const ROW_B: i32 = SPRING_ROW;
 
-// A shorter rope has no direction.
+// The least length even without a load.
 const MIN_ROPE: f64 = 1e-9;
 
 export function measurePulley(t: JointTable, work: JointWork): void {
@@ -62,14 +62,18 @@ export function measurePulley(t: JointTable, work: JointWork): void {
 // The greatest pull of late: a rope that jerks pulls in some sub-steps only.
 // @ts-ignore: decorator
 @inline function pullOfLate(impulses: JointImpulses): f64 {
-  impulses.lock1 = max<f64>(impulses.upper, KEPT * impulses.lock1);
-  return impulses.lock1;
+  return max<f64>(impulses.upper, impulses.lock1);
+}
+
+// Begins a sub-step.
+export function notePullOfRope(impulses: JointImpulses): void {
+  impulses.lock1 = KEPT * pullOfLate(impulses);
 }
 
 // How much of the greatest pull is left after a sub-step.
-const KEPT: f64 = 0.9;
+const KEPT: f64 = 0.81;
 
-// h² F/m as a part of the length.
+// The least length, in units of h² F/m.
 const FOLLOWED: f64 = 2;
 
 // The row along which a rope gets shorter, `ratio` times. Returns the length of the rope.

@@ -8,7 +8,7 @@
 // seen through the joint; from the root back each body gets its velocity: as many operations as there are joints. What the
 // joints exerted before does not matter: it would be taken back. Where few joints close loops, these are solved with their tree
 // (close-loops.ts). In nets each follows by itself: Δλ = -q y - p λ with (J M⁻¹ Jᵀ) y = J v + r C and the impulse scale
-// p = 1 - q. The joint is a little softer than rigid, so that what is held from two sides has a solution (hinge-locks.ts).
+// p = 1 - q. The joint is a little softer than rigid, so that what is held from two sides has a solution (soft-impulse.ts).
 // Sources: Baraff, Linear-Time Dynamics using Lagrange Multipliers (SIGGRAPH 1996); Featherstone, Rigid Body Dynamics
 // Algorithms (2008), chapter 7.
 import { RigidTable } from '../../solver/2d/rigid-table';

@@ -14,7 +14,7 @@ import { JointWork, MOTOR_ROW, PLAIN, SPRING_ROW, placeAt, rowOf, workAt } from 
 import { applyAlong, applyLocks, stateA, stateB } from './joint-rows';
 import { jointsOfTree } from './list-by-tree';
 import { measureJoint } from './measure-joints';
-import { warmStartCoupling } from './solve-couplings';
+import { notePullOfRope, warmStartCoupling } from './solve-couplings';
 import { softenJoint } from './soft-impulse';
 import { startLoops } from './solve-loops';
 
@@ -31,6 +31,7 @@ export function startJoints(table: usize): void {
   for (let k = 0; t.otherCount > 0 && k < t.workCount; k++) {
     if (placeAt(t, k).hinge == PLAIN) continue;
     startMotor(t, rigid, workAt(t, k));
+    if (workAt(t, k).kind == PULLEY) notePullOfRope(impulsesOf(t, workAt(t, k).id));
     applyImpulses(t, rigid, k, 1);
     if (workAt(t, k).hasAxes != 0) warmStartAxes(t, rigid, workAt(t, k));
   }

@@ -66,7 +66,7 @@ export function clipEdges(
   m.corners = KNOWN;
   addCut(m, startX, startY, lowCut, lowDistance, reference, incident, idOf(edge, low, isFlipped));
   // What is cut is a corner of the reference shape.
-  if (lowCut > lowAlong == isFlipped) m.corners |= FIRST_OF_B;
+  if (m.count > 0 && lowCut > lowAlong == isFlipped) m.corners |= FIRST_OF_B;
   const second = m.count;
   addCut(m, startX, startY, highCut, highDistance, reference, incident, idOf(end, high, isFlipped));
   if (highCut < highAlong == isFlipped) m.corners |= FIRST_OF_B << second;

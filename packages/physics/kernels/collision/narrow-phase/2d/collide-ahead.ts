@@ -30,7 +30,7 @@ const LEAST_TARGET: real = 0.0001;
   return (contact.shapeA | contact.shapeB) == 0 && ((flagsOf(t, contact.a) | flagsOf(t, contact.b)) & WALL) == 0;
 }
 
-// The same for two shapes: the smaller of those that move counts. Of two discs the normal is known at any distance.
+// As `targetOf`, for two shapes: the smaller of those that move counts. Of two discs the normal is known at any distance.
 export function impactDistance(t: RigidTable, contact: RigidContact): real {
   if (areDiscs(t, contact)) return LEAST_TARGET;
   const a = isMoving(t, contact.bodyA) ? poseOf(t, contact.a).minExtent : <real>Infinity;

@@ -124,7 +124,7 @@ function approach(t: RigidTable, contact: RigidContact, m: Manifold, i: i32): re
   return speedAt(t, contact.bodyA, contact.a, m, x, y) - speedAt(t, contact.bodyB, contact.a, m, x, y);
 }
 
-// The speed of a body along the normal at a point that is given from the centre of the shape in row `from`.
+// The speed of a body along the normal at a point that is given from the centre of the shape in row `origin`.
 function speedAt(t: RigidTable, body: i32, origin: i32, m: Manifold, x: real, y: real): real {
   const state = motionOf(t, body);
   const armX = x + (poseOf(t, origin).x - poseOf(t, body).x);

@@ -55,7 +55,9 @@ let pathY: real = 0;
 
 // Adds the path of the centre of a shape within a time, which is negative for the path back.
 function addPath(t: RigidTable, body: i32, row: i32, time: real): void {
-  if ((flagsOf(t, body) & MOVES) == 0 || word(t.usedColors, body) == 0) return;
+  const flags = flagsOf(t, body);
+  // Colors are of what contacts push.
+  if ((flags & MOVES) == 0 || ((flags & DYNAMIC) != 0 && word(t.usedColors, body) == 0)) return;
   const state = motionOf(t, body);
   pathX += time * velocityX(t, state, body, row);
   pathY += time * velocityY(t, state, body, row);

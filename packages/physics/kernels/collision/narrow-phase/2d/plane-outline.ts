@@ -1,7 +1,7 @@
 // Contact of a half-plane, solid below the line through its origin, and any other shape: the vertex that is nearest to the
 // line or deepest below it, and the nearer of its neighbours.
 import { Shape, vertexX, vertexY } from '../../shapes/2d/shape';
-import { EDGE_OF_A, FIRST_OF_B, KNOWN, Manifold, SECOND_OF_B, addPoint, setNormal } from './manifold';
+import { EDGE_OF_A, Manifold, addPoint, setNormal } from './manifold';
 import { RelativePose, pointX, pointY } from './relative-pose';
 
 // The vertex of an outline with the least distance from a plane through the origin of the frame of `pose`.
@@ -37,8 +37,6 @@ export function collidePlane(m: Manifold, plane: Shape, outline: Shape): void {
   addVertex(m, plane, outline, lowest);
   if (m.count == 0 || outline.count == 1) return;
   m.edge = EDGE_OF_A;
-  m.corners = KNOWN | FIRST_OF_B | SECOND_OF_B;
-  m.room = Infinity;
   const before = lowest == 0 ? outline.count - 1 : lowest - 1;
   const after = lowest + 1 == outline.count ? 0 : lowest + 1;
   const isBefore = distanceOf(plane, outline, inPlane, before) < distanceOf(plane, outline, inPlane, after);

@@ -3,7 +3,7 @@
 // Recycling: a manifold is kept while neither body has turned by more than 11 degrees since it was found, and no point of
 // one has moved by 0.05 m against the other (0.02 m while they do not touch, so that no touch is missed, or touch with a
 // single point: the other corner of a box that tips over was at least that far away; 0.0005 m on a segment of a chain, on which what
-// slides has another point soon), nor slid along it by more than 0.005 m to where another corner takes part: what has slid over an
+// slides has another point soon), nor slid along it to where another corner takes part, or by 0.005 m if that is more: what has slid over an
 // edge would rest beyond it. Only its normal and its separations change, these by the same formula as within sub-steps, and its points
 // go with the corners that they are. Source, but for the normal, corners, single points and chains: Box2D 3.2 (physics_world.c).
 //
@@ -142,6 +142,7 @@ function changeKind(t: RigidTable, contact: RigidContact, senses: bool): void {
   endContact(t, contact);
   wakeLater(t, contact);
   contact.count = 0;
+  contact.rollingImpulse = 0;
   contact.flags = (contact.flags & IGNORED) | (senses ? sensorFlags(t, contact) : 0);
 }
 
