@@ -75,3 +75,8 @@ export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
 export function keyOf(name: ComponentName): string {
   return name[0].toLowerCase() + name.slice(1);
 }
+
+/** The name of a definition of the package; undefined for any other value. */
+export function nameOfDefinition(component: unknown): ComponentName | undefined {
+  return COMPONENT_NAMES.find((name) => COMPONENTS[name] === component);
+}

@@ -1,7 +1,7 @@
 // Custom components whose columns are in the world's memory: laws read them, snapshots save them, and bitECS adds and
 // removes them like built-in components.
 import { observe, onAdd, onGet, onRemove, onSet } from 'bitecs';
-import { COMPONENT_NAMES, COMPONENTS } from '../components/all.ts';
+import { nameOfDefinition } from '../components/all.ts';
 import { type ColumnsOf, type ComponentSpec, type FieldSpec, isComponent } from '../components/define.ts';
 import { MAX_OWN_BITS, ownBitAt } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -26,10 +26,6 @@ export function checkOwnComponents(components: unknown): readonly ComponentSpec[
   return list as readonly ComponentSpec[];
 }
 
-function builtInName(component: unknown): string | undefined {
-  return COMPONENT_NAMES.find((name) => COMPONENTS[name] === component);
-}
-
 function builtInError(what: string, name: string): PhysicsError {
   return new PhysicsError('E_TYPE', `${what} is ${name}, which every world has.`, {
     field: 'components',
@@ -38,7 +34,7 @@ function builtInError(what: string, name: string): PhysicsError {
 }
 
 function checkOwnComponent(component: ComponentSpec, place: string): void {
-  const builtIn = builtInName(component);
+  const builtIn = nameOfDefinition(component);
   if (builtIn !== undefined) throw builtInError(place, builtIn);
   for (const [name, field] of Object.entries<FieldSpec>(component.fields)) {
     const what = `the field ${name} of ${place}`;
@@ -135,7 +131,7 @@ export function columnsOf<const Spec extends ComponentSpec>(world: PhysicsWorld,
 export function ownColumns({ internal }: PhysicsWorld, component: ComponentSpec): OwnColumns {
   const found = internal.ownComponents.get(component);
   if (found !== undefined) return found;
-  const name = builtInName(component);
+  const name = nameOfDefinition(component);
   if (name !== undefined) throw builtInError('columnsOf: the component', name);
   const fields = Object.keys(component?.fields ?? {}).join(', ');
   throw new PhysicsError('E_UNKNOWN', `this world was created without the component {${fields}}.`, {

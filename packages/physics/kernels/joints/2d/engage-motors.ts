@@ -13,7 +13,7 @@ import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB }
 import { APART, JointWork, MOST_LOCKS, MOTOR_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
 import { endPush } from './push-axes';
 
-// What the motor of a joint does in this sub-step: nothing here; it holds its speed; it pushes with all its force.
+// What the motor of a joint does in this sub-step besides nothing, APART: it holds its speed; it pushes with all its force.
 const HOLDS: i32 = 1;
 const PUSHES_UP: i32 = 2;
 const PUSHES_DOWN: i32 = 3;

@@ -20,7 +20,7 @@ import { softenInTree } from './spring-softness';
 
 // Whether the spring of a joint is solved with its tree unless its limits or its motor are.
 // @ts-ignore: decorator
-@inline export function hasTreeSpring(t: JointTable, work: JointWork): bool {
+@inline function hasTreeSpring(t: JointTable, work: JointWork): bool {
   if (work.hasAxes == 0 || work.kind == DISTANCE || isSolvedApart(work.kind) || !isInTree(work.parent)) return false;
   return get(t.hertz, work.id) > 0;
 }

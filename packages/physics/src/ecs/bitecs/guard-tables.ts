@@ -1,5 +1,5 @@
 import type { ComponentRef, Query } from 'bitecs';
-import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../../components/all.ts';
+import { COMPONENT_NAMES, type ComponentName, nameOfDefinition } from '../../components/all.ts';
 import { isComponent } from '../../components/define.ts';
 import { PhysicsError } from '../../errors/physics-error.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
@@ -55,7 +55,7 @@ function foreignError(name = 'component'): PhysicsError {
 
 /** A definition has no rows: values that are set to it would go nowhere. */
 function definitionError(component: object): PhysicsError {
-  const name = COMPONENT_NAMES.find((name) => COMPONENTS[name] === component);
+  const name = nameOfDefinition(component);
   const columns = name === undefined ? 'columnsOf(world, MyComponent)' : `world.components.${name}`;
   return new PhysicsError(
     'E_TYPE',

@@ -41,6 +41,9 @@ const OUTLINE = [
 const HULL = momentsOf(OUTLINE);
 const CORNERS = OUTLINE.map(({ x, y }) => ({ x: x - HULL.centre.x, y: y - HULL.centre.y }));
 const [KEEL, DECK] = [CORNERS[1].y, CORNERS[0].y];
+/** Widths at the keel and at the deck, m, and by how much the hull is wider a metre higher. */
+const [NARROW, WIDE] = [CORNERS[2].x - CORNERS[1].x, CORNERS[3].x - CORNERS[0].x];
+const FLARE = (WIDE - NARROW) / (DECK - KEEL);
 const DENSITY = 300;
 const LAMP = { mass: 200, radius: 0.25 };
 
@@ -61,11 +64,9 @@ const seaOf = ({ amplitude, length }: Values): FluidVolume => ({
 
 /** Depth of the keel at which the hull carries a mass, m: half the sum of two parallel sides, times the depth. */
 function draughtFor(mass: number): number {
-  const [narrow, wide] = [CORNERS[2].x - CORNERS[1].x, CORNERS[3].x - CORNERS[0].x];
-  const slope = (wide - narrow) / (DECK - KEEL);
   const area = mass / WATER;
-  // narrow d + slope d²/2 = area
-  return (2 * area) / (narrow + Math.sqrt(narrow * narrow + 2 * slope * area));
+  // NARROW d + FLARE d²/2 = area
+  return (2 * area) / (NARROW + Math.sqrt(NARROW * NARROW + 2 * FLARE * area));
 }
 
 /** Everything that turns as the boat rolls: mass, kg, height of its centre above the keel, m, moment of inertia about it, kg m². */
@@ -83,9 +84,8 @@ function loadOf(mast: number): { mass: number; height: number; inertia: number }
 function metacentreOf(mast: number): number {
   const { mass, height } = loadOf(mast);
   const draught = draughtFor(mass);
-  const [narrow, wide] = [CORNERS[2].x - CORNERS[1].x, CORNERS[3].x - CORNERS[0].x];
-  const width = narrow + ((wide - narrow) * draught) / (DECK - KEEL);
-  const centre = (draught / 3) * ((narrow + 2 * width) / (narrow + width));
+  const width = NARROW + FLARE * draught;
+  const centre = (draught / 3) * ((NARROW + 2 * width) / (NARROW + width));
   return centre + (width * width * width) / 12 / (mass / WATER) - height;
 }
 
