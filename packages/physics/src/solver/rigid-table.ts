@@ -40,7 +40,7 @@ function listBytes(precision: Precision): number {
     CONTACT_BLOCK / (16 / bytes) +
     IMPACT_SIZE[precision] / 2 +
     32 +
-    44 +
+    56 +
     16 +
     2 * 6 * bytes
   );
@@ -168,6 +168,8 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   words[Word.blockCapacity] = Math.ceil(capacity / (16 / bytes)) + 64;
   take(Word.contacts, RIGID_CONTACT_SIZE[precision] * capacity);
   take(Word.order, 4 * capacity);
+  take(Word.keys, 8 * capacity);
+  take(Word.current, 4 * capacity);
   take(Word.free, 4 * capacity);
   take(Word.newContacts, 4 * capacity);
   take(Word.touching, 8 * capacity);

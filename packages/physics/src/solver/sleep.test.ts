@@ -21,6 +21,8 @@ import {
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
+import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
+import { rigidTable } from './rigid-table.ts';
 
 const addGround = (world: PhysicsWorld) =>
   spawn(world, { position: { y: -0.5 }, collider: { shape: box(100, 1), friction: 0.6 } });
@@ -46,6 +48,22 @@ test('bodies at rest sleep, and then nothing moves', () => {
   run(world, 1);
   world.time = time;
   expect(stateHash(world)).toBe(before);
+});
+
+test('contacts of what sleeps are passed over, also while others move', () => {
+  const { world, stack } = sleepingWorld();
+  const { words } = rigidTable(world);
+  const looked = () => words[Word.currentCount];
+  run(world, 2 * DT);
+  expect([words[Word.contactCount], looked()]).toEqual([4, 0]);
+  const ball = spawn(world, { position: { x: 20, y: 3 }, collider: { radius: 0.4, density: 2 } });
+  run(world, 0.8);
+  expect([words[Word.contactCount], looked()]).toEqual([5, 1]);
+  expect(asleepCount(world)).toBe(4);
+  despawn(world, ball);
+  putToSleep(world, stack[0]);
+  run(world, 3 * DT);
+  expect([words[Word.contactCount], looked()]).toEqual([4, 0]);
 });
 
 test('a falling body wakes the stack that it hits, with its momentum, and nothing else', () => {

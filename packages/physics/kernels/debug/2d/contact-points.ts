@@ -1,6 +1,6 @@
 // The contact points of rigid bodies, one after the other, for pictures and logs.
 import { columns, get } from '../../memory/columns';
-import { COVERED, TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { COVERED, TOUCHING, contactAt, pointOf, slotInOrder } from '../../collision/narrow-phase/2d/rigid-contact';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 
@@ -29,7 +29,7 @@ export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
   const to = changetype<ContactView>(view);
   if (cursor == 0) to.next = 0;
   for (let at = cursor; at < 2 * t.contactCount; at++) {
-    const slot = word(t.order, at >> 1);
+    const slot = slotInOrder(t, at >> 1);
     const contact = contactAt(t, slot);
     const index = at & 1;
     // The solver's list has the same order.

@@ -2,7 +2,7 @@
 import { ASLEEP, WAKES, flagsOf, putFlags, putWord, word } from '../../solver/2d/body';
 import { forgetBox } from '../../solver/2d/gather-bodies';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { areJoined } from '../../collision/broad-phase/2d/pair-filter';
+import { areJoined, firstOf, secondOf } from '../../collision/broad-phase/2d/pair-filter';
 import { keyAt, sortKeys } from '../../collision/broad-phase/2d/sort-keys';
 import { JointTable } from './joint-table';
 
@@ -35,6 +35,7 @@ export function listJoints(table: usize): void {
   sortKeys(t.pairs, t.spare, t.pairCount);
   rigid.jointPairs = t.pairs;
   rigid.jointPairCount = t.pairCount;
+  rigid.isUnsettled = 1;
   releasePairs(t, rigid, before);
 }
 
@@ -76,8 +77,8 @@ function wakeReleased(t: JointTable, rigid: RigidTable): void {
 function releasePairs(t: JointTable, rigid: RigidTable, count: i32): void {
   for (let i = 0; i < count; i++) {
     const key = keyAt(t.next, i);
-    const a = <i32>(key >> 32);
-    const b = <i32>key;
+    const a = firstOf(key);
+    const b = secondOf(key);
     if (areJoined(rigid, a, b)) continue;
     forgetBox(rigid, a);
     forgetBox(rigid, b);

@@ -90,6 +90,9 @@ export const MAY_MOVE: u32 = 33554432;
 export const CHANGED_KIND: u32 = 67108864;
 export const LIGHTER: u32 = 134217728;
 
+// In this step the row holds another body than in the last one, or one that collides otherwise.
+export const CHANGED: u32 = 268435456;
+
 export const MOVES: u32 = DYNAMIC | KINEMATIC;
 
 // @ts-ignore: decorator

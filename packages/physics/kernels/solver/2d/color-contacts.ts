@@ -22,8 +22,8 @@ export function colorContacts(table: usize): void {
   memory.fill(t.colorCounts, 0, (<usize>COLORS) << 2);
   let count = 0;
   let blocks = 0;
-  for (let i = 0; i < t.contactCount; i++) {
-    const slot = word(t.order, i);
+  for (let i = 0; i < t.currentCount; i++) {
+    const slot = word(t.current, i);
     const contact = contactAt(t, slot);
     if ((contact.flags & (TOUCHING | COVERED)) != TOUCHING) continue;
     const movesA = isPushed(flagsOf(t, contact.bodyA));

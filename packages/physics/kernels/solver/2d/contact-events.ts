@@ -45,8 +45,8 @@ export function listContactEvents(table: usize): void {
   const hits = changetype<ContactEventList>(t.hits);
   begins.count = 0;
   hits.count = 0;
-  for (let i = 0; i < t.contactCount; i++) {
-    const contact = contactAt(t, word(t.order, i));
+  for (let i = 0; i < t.currentCount; i++) {
+    const contact = contactAt(t, word(t.current, i));
     if ((contact.flags & SENSES) != 0) {
       listSensorEvent(t, contact);
       continue;

@@ -5,8 +5,8 @@
 //   λ' = min(λ, m v)       of all contacts that hang together with a body that is of another kind now, moved by forces or not: they keep
 //                          what piles bear, and not what a press did that is none any more
 import { isCurrent } from '../../collision/narrow-phase/2d/contact-list';
-import { RigidContact, TOUCHING, contactAt, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
-import { CHANGED_KIND, DYNAMIC, LIGHTER, flagsOf, poseOf, putFlags, word } from './body';
+import { RigidContact, TOUCHING, contactInOrder, pointOf } from '../../collision/narrow-phase/2d/rigid-contact';
+import { CHANGED_KIND, DYNAMIC, LIGHTER, flagsOf, poseOf, putFlags } from './body';
 import { RigidTable } from './rigid-table';
 import { sleeperOf } from './sleeper';
 
@@ -19,7 +19,7 @@ const MOST_PASSES: i32 = 16;
 export function forgetImpulses(t: RigidTable): void {
   for (let pass = 0; t.changedKindCount > 0 && pass < MOST_PASSES && spread(t); pass++) {}
   for (let i = 0; i < t.contactCount; i++) {
-    const contact = contactAt(t, word(t.order, i));
+    const contact = contactInOrder(t, i);
     const flags = flagsOf(t, contact.bodyA) | flagsOf(t, contact.bodyB);
     if ((flags & CHANGED_KIND) != 0) scaleContact(contact, partOfSpeed(t, contact));
     else if ((flags & LIGHTER) != 0) scaleContact(contact, partOfMass(t, contact));
@@ -30,7 +30,7 @@ export function forgetImpulses(t: RigidTable): void {
 function spread(t: RigidTable): bool {
   let any = false;
   for (let i = 0; i < t.contactCount; i++) {
-    const contact = contactAt(t, word(t.order, i));
+    const contact = contactInOrder(t, i);
     if ((contact.flags & TOUCHING) == 0 || !isCurrent(t, contact)) continue;
     const flagsA = flagsOf(t, contact.bodyA);
     const flagsB = flagsOf(t, contact.bodyB);

@@ -8,6 +8,7 @@ import { emptyBox, isForgotten, rowBox } from '../../collision/broad-phase/2d/fa
 import {
   ASLEEP,
   BodyPose,
+  CHANGED,
   CHANGED_KIND,
   COLLIDES,
   COMPOUND,
@@ -93,6 +94,7 @@ function classifyParts(t: RigidTable): void {
 function leaveBody(t: RigidTable, row: i32): void {
   const owner = word(t.owners, row);
   if (owner == 0) return;
+  t.isUnsettled = 1;
   if ((flagsOf(t, owner) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, owner);
   invalidateTrees(t, flagsOf(t, row));
   // The extents of the body are found anew, too.
@@ -154,7 +156,7 @@ function watchKinematic(c: Columns, t: RigidTable, row: i32): void {
 // Returns whether the row has another body than in the last step, or one that collides otherwise.
 function classify(t: RigidTable, row: i32, kind: u32): bool {
   if ((flagsOf(t, row) & PART) != 0 && (kind & PART) == 0) leaveBody(t, row);
-  const before = flagsOf(t, row);
+  const before = flagsOf(t, row) & ~CHANGED;
   const same = kind != 0 && word(t.bodyGenerations, row) == word(t.generations, row);
   const changed = !same || ((before ^ kind) & KINDS) != 0 || ((kind & COLLIDES) != 0 && hasNewFilter(t, row));
   if (
@@ -173,6 +175,8 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   putWord(t.bodyGenerations, row, word(t.generations, row));
   if (!changed || (before | kind) == 0) return false;
   t.changedCount++;
+  putFlags(t, row, flagsOf(t, row) | CHANGED);
+  if (word(t.firstParts, row) != 0) t.isUnsettled = 1;
   putWord(t.filters, row, filterOf(t, row));
   invalidateTrees(t, before);
   invalidateTrees(t, kind);

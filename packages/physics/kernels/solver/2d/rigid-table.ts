@@ -138,14 +138,20 @@ export class RigidTable {
   // Sorted keys of the pairs that joints keep from colliding.
   jointPairs: usize;
   jointPairCount: i32;
-  // Contacts: records (class RigidContact), the used ones sorted by (a, b), then the free ones.
+  // Contacts: records (class RigidContact), and the used ones sorted by (a, b), with (a, b) as keys beside them (contact-list.ts). Then
+  // the free ones.
   contactCapacity: i32;
   contactCount: i32;
   contacts: usize;
   order: usize;
+  keys: usize;
   free: usize;
   freeCount: i32;
   droppedCount: u32;
+  // The records that were looked at in this step, in the order of (a, b), and whether all have to be, settled or not.
+  current: usize;
+  currentCount: i32;
+  isUnsettled: i32;
   // Blocks of contacts that the solver goes through, and where each color begins and ends among their lanes.
   blocks: usize;
   blockCapacity: i32;

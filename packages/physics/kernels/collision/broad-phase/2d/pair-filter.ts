@@ -49,3 +49,14 @@ export function areJoined(t: RigidTable, a: i32, b: i32): bool {
 @inline export function keyOf(a: i32, b: i32): u64 {
   return ((<u64>min<i32>(a, b)) << 32) | <u64>max<i32>(a, b);
 }
+
+// The smaller and the larger id of a key.
+// @ts-ignore: decorator
+@inline export function firstOf(key: u64): i32 {
+  return <i32>(key >> 32);
+}
+
+// @ts-ignore: decorator
+@inline export function secondOf(key: u64): i32 {
+  return <i32>key;
+}

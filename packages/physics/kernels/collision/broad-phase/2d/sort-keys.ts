@@ -53,3 +53,8 @@ function distribute(from: usize, to: usize, count: i32, shift: u64): void {
 @inline export function keyAt(keys: usize, i: i32): u64 {
   return load<u64>(keys + ((<usize>i) << 3));
 }
+
+// @ts-ignore: decorator
+@inline export function putKey(keys: usize, i: i32, key: u64): void {
+  store<u64>(keys + ((<usize>i) << 3), key);
+}

@@ -1,10 +1,12 @@
-// The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers.
+// The list of contacts, sorted by (a, b). Records stay where they are; the list holds their numbers, and the pairs as keys, so that a
+// step goes past the contacts of what sleeps without reading their records.
 import { clearRecord } from '../../../memory/records';
-import { keyAt } from '../../broad-phase/2d/sort-keys';
+import { firstOf, secondOf } from '../../broad-phase/2d/pair-filter';
+import { keyAt, putKey } from '../../broad-phase/2d/sort-keys';
 import { MOVES, SENSOR, flagsOf, putWord, word } from '../../../solver/2d/body';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
-import { RIGID_CONTACT_SIZE, RigidContact, SENSES, SENSOR_IS_B, contactAt } from './rigid-contact';
+import { RIGID_CONTACT_SIZE, RigidContact, SENSES, SENSOR_IS_B, contactAt, contactInOrder } from './rigid-contact';
 
 // Part of the room for contacts that is reserved for pairs of a dynamic body and a static or kinematic one: 1/STATIC_PART.
 const STATIC_PART: i32 = 8;
@@ -16,12 +18,14 @@ export function addContacts(t: RigidTable): void {
   let old = t.contactCount - 1;
   let fresh = added - 1;
   for (let i = total - 1; fresh >= 0; i--) {
-    if (old >= 0 && keyOf(contactAt(t, word(t.order, old))) > keyAt(t.pairs, fresh)) {
-      putWord(t.order, i, word(t.order, old--));
+    if (old >= 0 && keyAt(t.keys, old) > keyAt(t.pairs, fresh)) {
+      moveEntry(t, old--, i);
     } else {
-      const slot = openContact(t, keyAt(t.pairs, fresh));
+      const key = keyAt(t.pairs, fresh);
+      const slot = openContact(t, key);
       putWord(t.newContacts, fresh--, slot);
       putWord(t.order, i, slot);
+      putKey(t.keys, i, key);
     }
   }
   t.contactCount = total;
@@ -37,14 +41,14 @@ function dropKnown(t: RigidTable): i32 {
   const roomOfMoving = t.freeCount - t.contactCapacity / STATIC_PART;
   for (let i = 0; i < t.pairCount; i++) {
     const key = keyAt(t.pairs, i);
-    while (at < t.contactCount && keyOf(contactAt(t, word(t.order, at))) < key) at++;
-    if (key == last || (at < t.contactCount && isContactOf(t, contactAt(t, word(t.order, at)), key))) continue;
+    while (at < t.contactCount && keyAt(t.keys, at) < key) at++;
+    if (key == last || (at < t.contactCount && keyAt(t.keys, at) == key && isContactOfNow(t, contactInOrder(t, at))))
+      continue;
     last = key;
     if (kept == t.freeCount || (kept >= roomOfMoving && bothMove(t, key))) {
       t.droppedCount++;
     } else {
-      store<u64>(t.pairs + ((<usize>kept) << 3), key);
-      kept++;
+      putKey(t.pairs, kept++, key);
     }
   }
   return kept;
@@ -52,17 +56,12 @@ function dropKnown(t: RigidTable): i32 {
 
 // @ts-ignore: decorator
 @inline function bothMove(t: RigidTable, key: u64): bool {
-  return (flagsOf(t, <i32>(key >> 32)) & flagsOf(t, <i32>key) & MOVES) != 0;
+  return (flagsOf(t, firstOf(key)) & flagsOf(t, secondOf(key)) & MOVES) != 0;
 }
 
-// @ts-ignore: decorator
-@inline function keyOf(contact: RigidContact): u64 {
-  return ((<u64>contact.a) << 32) | <u64>contact.b;
-}
-
-// Whether it is the contact of a pair of shapes, and of the bodies to which these now belong.
-function isContactOf(t: RigidTable, contact: RigidContact, key: u64): bool {
-  if (keyOf(contact) != key || !isCurrent(t, contact)) return false;
+// Whether it is a contact of the bodies to which its shapes now belong.
+function isContactOfNow(t: RigidTable, contact: RigidContact): bool {
+  if (!isCurrent(t, contact)) return false;
   return contact.bodyA == bodyOf(t, contact.a) && contact.bodyB == bodyOf(t, contact.b);
 }
 
@@ -77,8 +76,8 @@ function openContact(t: RigidTable, key: u64): i32 {
   const slot = word(t.free, --t.freeCount);
   const contact = contactAt(t, slot);
   clearRecord(changetype<usize>(contact), RIGID_CONTACT_SIZE);
-  contact.a = <i32>(key >> 32);
-  contact.b = <i32>key;
+  contact.a = firstOf(key);
+  contact.b = secondOf(key);
   contact.bodyA = bodyOf(t, contact.a);
   contact.bodyB = bodyOf(t, contact.b);
   contact.generationA = <u32>word(t.generations, contact.a);
@@ -90,6 +89,13 @@ function openContact(t: RigidTable, key: u64): i32 {
 // Flags of the contact of a sensor.
 export function sensorFlags(t: RigidTable, contact: RigidContact): u32 {
   return (flagsOf(t, contact.b) & SENSOR) != 0 ? SENSES | SENSOR_IS_B : SENSES;
+}
+
+// Moves an entry of the list to another place.
+// @ts-ignore: decorator
+@inline export function moveEntry(t: RigidTable, from: i32, to: i32): void {
+  putWord(t.order, to, word(t.order, from));
+  putKey(t.keys, to, keyAt(t.keys, from));
 }
 
 export function freeContact(t: RigidTable, slot: i32): void {

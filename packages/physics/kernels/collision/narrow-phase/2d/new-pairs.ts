@@ -2,7 +2,8 @@
 import { word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { keyOf } from '../../broad-phase/2d/pair-filter';
-import { IGNORED, contactAt } from './rigid-contact';
+import { keyAt } from '../../broad-phase/2d/sort-keys';
+import { IGNORED, contactAt, contactInOrder } from './rigid-contact';
 
 // The row of one of the shapes of a new pair: that of a for side 0, of b for side 1.
 export function newPair(table: usize, i: i32, side: i32): i32 {
@@ -24,11 +25,8 @@ export function isIgnored(t: RigidTable, a: i32, b: i32): bool {
   let high = t.contactCount;
   while (low < high) {
     const middle = (low + high) >> 1;
-    const contact = contactAt(t, word(t.order, middle));
-    if (keyOf(contact.a, contact.b) < key) low = middle + 1;
+    if (keyAt(t.keys, middle) < key) low = middle + 1;
     else high = middle;
   }
-  if (low == t.contactCount) return false;
-  const contact = contactAt(t, word(t.order, low));
-  return keyOf(contact.a, contact.b) == key && (contact.flags & IGNORED) != 0;
+  return low < t.contactCount && keyAt(t.keys, low) == key && (contactInOrder(t, low).flags & IGNORED) != 0;
 }

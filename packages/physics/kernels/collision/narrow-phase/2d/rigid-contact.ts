@@ -1,5 +1,6 @@
 // A pair of shapes whose fat boxes overlap, from the step in which they begin to until they no longer do. It keeps the
 // manifold and its impulses, from which the next step starts.
+import { word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 
 @unmanaged
@@ -99,6 +100,25 @@ export const CORNERS: u32 = 7 << CORNERS_SHIFT;
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {
   return changetype<RigidContact>(t.contacts + <usize>slot * RIGID_CONTACT_SIZE);
+}
+
+// In the list of contacts, beside the number of the record: the contact was looked at when neither shape moved, and that changed nothing.
+export const SETTLED: i32 = 1 << 31;
+
+// @ts-ignore: decorator
+@inline export function isSettled(t: RigidTable, i: i32): bool {
+  return (word(t.order, i) & SETTLED) != 0;
+}
+
+// The number of the record of the i-th contact in the order of (a, b).
+// @ts-ignore: decorator
+@inline export function slotInOrder(t: RigidTable, i: i32): i32 {
+  return word(t.order, i) & ~SETTLED;
+}
+
+// @ts-ignore: decorator
+@inline export function contactInOrder(t: RigidTable, i: i32): RigidContact {
+  return contactAt(t, slotInOrder(t, i));
 }
 
 // @ts-ignore: decorator

@@ -11,7 +11,9 @@
 import { columns } from '../../../memory/columns';
 import {
   ASLEEP,
+  CHANGED,
   DYNAMIC,
+  ENLARGED,
   FAST,
   GROUPED,
   MOVES,
@@ -36,11 +38,12 @@ import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { shapeAt } from '../../../solver/2d/walls';
 import { overlaps, rowBox } from '../../broad-phase/2d/fat-boxes';
-import { areJoined, filtersMeet, kindsMeet, layersMeet } from '../../broad-phase/2d/pair-filter';
+import { areJoined, filtersMeet, firstOf, kindsMeet, layersMeet, secondOf } from '../../broad-phase/2d/pair-filter';
+import { keyAt, putKey } from '../../broad-phase/2d/sort-keys';
 import { SHAPE_BYTES, Shape } from '../../shapes/2d/shape';
 import { areDiscs } from './collide-ahead';
 import { collideShapes } from './collide-shapes';
-import { freeContact, isCurrent, sensorFlags } from './contact-list';
+import { freeContact, isCurrent, moveEntry, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, mayStop, reachOf } from './far-points';
 import { EDGE_OF_A, EDGE_OF_B, Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
@@ -60,10 +63,14 @@ import {
   PASSING,
   RigidContact,
   SENSES,
+  SETTLED,
   TOUCHING,
   WAS_TOUCHING,
   contactAt,
+  contactInOrder,
+  isSettled,
   pointOf,
+  slotInOrder,
 } from './rigid-contact';
 import { coverSeams } from './seams';
 import { updateSensor } from './sensor-overlap';
@@ -83,13 +90,14 @@ export function wakeIslands(table: usize): void {
   if (t.asleepCount == 0) return;
   let any = wakeForced(t);
   for (let i = 0; i < t.contactCount; i++) {
-    const contact = contactAt(t, word(t.order, i));
-    const flagsA = flagsOf(t, contact.a);
-    const flagsB = flagsOf(t, contact.b);
-    if ((contact.flags & (SENSES | IGNORED | PASSING)) != 0) continue;
+    const key = keyAt(t.keys, i);
+    const flagsA = flagsOf(t, firstOf(key));
+    const flagsB = flagsOf(t, secondOf(key));
     if (((flagsA | flagsB) & ASLEEP) == 0) continue;
     const mayMove = isActive(flagsA) || isActive(flagsB);
-    if (!mayMove && t.changedCount == 0) continue;
+    if (!mayMove && (t.changedCount == 0 || !mayEnd(t, flagsA | flagsB))) continue;
+    const contact = contactInOrder(t, i);
+    if ((contact.flags & (SENSES | IGNORED | PASSING)) != 0) continue;
     const touched = (contact.flags & TOUCHING) != 0;
     const isEnding = ((flagsA | flagsB) & SENSOR) != 0 || isOver(t, contact);
     if (!isEnding && !mayMove) continue;
@@ -102,6 +110,13 @@ export function wakeIslands(table: usize): void {
   if (wakeSprung(t) || any) listAwake(t);
 }
 
+// Whether a contact of shapes that do not move may end, or change its kind: these are the flags of either. The box of a part changes
+// where the part is moved within its body.
+// @ts-ignore: decorator
+@inline function mayEnd(t: RigidTable, flags: u32): bool {
+  return (flags & (CHANGED | ENLARGED)) != 0 || t.isUnsettled != 0;
+}
+
 // @ts-ignore: decorator
 @inline function wakeBody(t: RigidTable, body: i32): void {
   if ((flagsOf(t, body) & ASLEEP) != 0) wakeIsland(t, body);
@@ -110,21 +125,35 @@ export function wakeIslands(table: usize): void {
 export function updateContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   let kept = 0;
+  let current = 0;
   groundCount = 0;
   clearEvents(t);
   if (t.changedKindCount + t.lighterCount > 0) forgetImpulses(t);
   for (let i = 0; i < t.contactCount; i++) {
-    const slot = word(t.order, i);
+    const key = keyAt(t.keys, i);
+    const flagsA = flagsOf(t, firstOf(key));
+    const flagsB = flagsOf(t, secondOf(key));
+    const isAwake = isActive(flagsA) || isActive(flagsB);
+    if (!isAwake && isSettled(t, i) && !mayEnd(t, flagsA | flagsB)) {
+      moveEntry(t, i, kept++);
+      continue;
+    }
+    const slot = slotInOrder(t, i);
     const contact = contactAt(t, slot);
     if (isOver(t, contact)) {
       endContact(t, contact);
       freeContact(t, slot);
       continue;
     }
-    putWord(t.order, kept++, slot);
+    const before = contact.flags;
     if (updateContact(t, contact)) putWord(t.touching, 2 * groundCount++, slot);
+    putWord(t.order, kept, !isAwake && contact.flags == before ? slot | SETTLED : slot);
+    putKey(t.keys, kept++, key);
+    putWord(t.current, current++, slot);
   }
   t.contactCount = kept;
+  t.currentCount = current;
+  t.isUnsettled = 0;
   if (groundCount > 1) coverSeams(t, groundCount);
 }
 
