@@ -159,6 +159,18 @@ describe('bulk creation', () => {
     expect([...x.subarray(1, 13)]).toEqual([-1, -1, 102, 103, -1, 105, 106, 107, -1, 109, 110, 111]);
   });
 
+  it('leaves nothing of what was written to rows whose bodies are gone', () => {
+    const world = createPhysicsWorld({ capacity: 8 });
+    spawn(world, { position: {} });
+    const gone = spawn(world, { position: {}, mass: 1 });
+    despawn(world, gone);
+    world.components.Velocity.x[gone] = 5;
+    const [id] = spawnMany(world, 1, { position: { x: 3 } });
+    expect([id, world.components.Velocity.x[id]]).toEqual([gone, 0]);
+    step(world, 0.1);
+    expect(world.components.Position.x[id]).toBe(3);
+  });
+
   it('zero bodies are allowed', () => {
     const world = emptySpace();
     const before = worldState(world);

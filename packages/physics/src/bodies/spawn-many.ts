@@ -70,7 +70,7 @@ function createEntities(
 ): void {
   const count = ids.length;
   const giveComponents = componentGiver(world, names);
-  const used = world.lastId;
+  const used = world.internal.highestId;
   for (let i = 0; i < count; i++) {
     const eid = addEntity(world);
     giveComponents(eid);

@@ -5,9 +5,10 @@ import { COMPONENT_NAMES, type ComponentName, keyOf } from '../components/all.ts
 import { generationOf } from '../ecs/bitecs/context.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
-import { hasAnyComponent, noBody } from '../ecs/entity-ref.ts';
+import { hasAnyComponent, noBody, staleError } from '../ecs/entity-ref.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { checkValues, completeValues, initialValues } from '../ecs/values.ts';
+import type { PhysicsError } from '../errors/physics-error.ts';
 import { isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import type { BodyInput } from './body-input.ts';
@@ -39,6 +40,8 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
   ensureCapacity(world, 1);
   if (shape !== undefined) setIndex(world, checked, shape);
   const { internal } = world;
+  // That of an outer call, one of whose observers calls this one.
+  const { checked: outer } = internal;
   let eid = 0;
   internal.spawning++;
   try {
@@ -48,13 +51,23 @@ export function spawn(world: PhysicsWorld, body: BodyInput): number {
       addComponent(world, eid, set(world.components[name], values));
     }
   } catch (error) {
+    // bitECS fails where an observer has removed the entity.
+    if (error instanceof TypeError && !isThere(world, eid)) throw removedError(eid);
     if (eid > 0) removeEntityCompletely(world, eid);
     throw error;
   } finally {
-    internal.checked = undefined;
+    internal.checked = outer;
     internal.spawning--;
   }
   return eid;
+}
+
+function isThere(world: PhysicsWorld, eid: number): boolean {
+  return world.state !== 'destroyed' && entityExists(world, eid);
+}
+
+function removedError(eid: number): PhysicsError {
+  return staleError(eid, `entity ${eid} was removed by an observer while it was spawned.`, 'Remove it after spawn.');
 }
 
 function resolveInput(world: PhysicsWorld, body: BodyInput): ResolvedInput<BodyInput> {

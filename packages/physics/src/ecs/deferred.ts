@@ -4,7 +4,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 
 /** Applies the edits in the order of the calls. A failure of one does not stop the others. */
 export function applyDeferredEdits(world: PhysicsWorld): void {
-  const { deferredEdits, leaving } = world.internal;
+  const { deferredEdits, leaving, pendingValues, departed } = world.internal;
   if (deferredEdits.length === 0) return;
   for (let c = 0; c < deferredEdits.length; c++) {
     try {
@@ -15,4 +15,6 @@ export function applyDeferredEdits(world: PhysicsWorld): void {
   }
   deferredEdits.length = 0;
   leaving.clear();
+  pendingValues.clear();
+  departed.clear();
 }

@@ -66,7 +66,7 @@ export function isAlive(world: PhysicsWorld, ref: EntityRef): boolean {
   assertUsable(world);
   if (!Number.isSafeInteger(ref)) return false;
   const eid = ref % ID_SPAN;
-  const isThere = hasBody(world, eid) && generationOf(world, eid) === Math.floor(ref / ID_SPAN);
+  const isThere = isPresent(world, eid) && generationOf(world, eid) === Math.floor(ref / ID_SPAN);
   if (!isThere) warnAboutDeadRef(world, ref);
   return isThere && !isLeaving(world, eid);
 }
@@ -92,7 +92,12 @@ export function resolve(world: PhysicsWorld, ref: EntityRef): number {
 /** Returns whether `eid` is a body, and was not despawned in this step. @throws PhysicsError E_DESTROYED */
 export function isBody(world: PhysicsWorld, eid: number): boolean {
   assertUsable(world);
-  return hasBody(world, eid) && !isLeaving(world, eid);
+  return isPresent(world, eid) && !isLeaving(world, eid);
+}
+
+/** Whether a row has a body that bitECS has not removed in this step. */
+function isPresent(world: PhysicsWorld, eid: number): boolean {
+  return hasBody(world, eid) && !world.internal.departed.has(eid);
 }
 
 /** Whether a row has a body: one that was despawned moves on until the step ends. */
@@ -115,7 +120,7 @@ export function hasAnyComponent(world: PhysicsWorld, eid: number): boolean {
 export function assertBody(world: PhysicsWorld, eid: number): void {
   assertUsable(world);
   // During a step the rows do not know yet that an entity was removed through bitECS.
-  const isKnown = hasBody(world, eid);
+  const isKnown = isPresent(world, eid);
   const exists = isRow(world, eid) && entityExists(world, eid);
   if (isKnown && exists) return;
   if (world.state === 'stepping' && exists) {

@@ -3,14 +3,19 @@
 // The connection uses bitECS observers, so the bitECS idiom works unchanged: addComponent(world, eid, set(Position, { x
 // })). Edits during a step are deferred to its end.
 import { hasComponent, observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
-import { COMPONENT_NAMES, type ComponentName } from '../components/all.ts';
+import { COMPONENT_NAMES, type ComponentName, COMPONENTS as DEFINITIONS } from '../components/all.ts';
+import type { ComponentSpec } from '../components/define.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 import { guardTables } from './bitecs/guard-tables.ts';
 import { isLeaving, isPrefab } from './bitecs/remove-entity.ts';
+import { recordGenerations } from './body-references.ts';
 import { capacityError } from './entity-capacity.ts';
 import { whenIdle } from './guards.ts';
+import { forgetPending, notePending, pendingValues } from './pending-values.ts';
 import { closeRow, isOpen, openRow, readRow, writeRow } from './rows.ts';
 import { checkValues, completeValues, initialValues, toInputForm } from './values.ts';
+
+const COMPONENTS: Readonly<Record<ComponentName, ComponentSpec>> = DEFINITIONS;
 
 /** Registers the observers; called once when the world is created. */
 export function observeComponents(world: PhysicsWorld): void {
@@ -30,6 +35,7 @@ function added(world: PhysicsWorld, eid: number, name: ComponentName): void {
     throw capacityError(world, 1, eid);
   }
   world.internal.justAdded[name] = eid;
+  forgetPending(world, eid, name);
   if (isLeaving(world, eid)) return;
   whenIdle(world, () => {
     if (hasComponent(world, eid, world.components[name])) openRow(world, eid, name);
@@ -43,18 +49,44 @@ function assigned(world: PhysicsWorld, eid: number, name: ComponentName, data: u
   internal.justAdded[name] = 0;
   let values: FieldValues;
   try {
-    values = data === internal.checked ? (data as FieldValues) : checkComplete(world, eid, name, data);
+    values = data === internal.checked ? (data as FieldValues) : checkComplete(world, eid, name, data, isNew);
   } catch (error) {
     if (isNew) removeComponent(world, eid, world.components[name]);
     throw error;
   }
   if (isPrefab(world, eid)) setTemplate(world, eid, name, values);
-  else if (!isLeaving(world, eid)) whenIdle(world, () => writeRow(world, eid, name, values));
+  else if (!isLeaving(world, eid)) {
+    if (COMPONENTS[name].complete !== undefined) notePending(world, eid, name, values);
+    whenIdle(world, () => writeValues(world, eid, name, values));
+  }
 }
 
-function checkComplete(world: PhysicsWorld, eid: number, name: ComponentName, data: unknown): FieldValues {
+/** A body that was spawned in the step has its generation only now, if it has the id of one that was removed in it. */
+function writeValues(world: PhysicsWorld, eid: number, name: ComponentName, values: FieldValues): void {
+  recordGenerations(world, COMPONENTS[name], values, values);
+  writeRow(world, eid, name, values);
+}
+
+/**
+ * The given values, and those that completing the component changed. The others stay as they are in the row, which other code may write
+ * to until the end of a step.
+ */
+function checkComplete(
+  world: PhysicsWorld,
+  eid: number,
+  name: ComponentName,
+  data: unknown,
+  isNew: boolean,
+): FieldValues {
   const values = checkValues(world, name, data, eid);
-  return completeValues(world, name, values, () => presentValues(world, eid, name), eid);
+  if (COMPONENTS[name].complete === undefined) return values;
+  const before = isNew
+    ? initialValues(name)
+    : { ...presentValues(world, eid, name), ...pendingValues(world, eid, name) };
+  const all = completeValues(world, name, values, () => before, eid);
+  for (const field of Object.keys(all)) if (all[field] !== before[field]) values[field] = all[field];
+  for (const field of Object.keys(values)) values[field] = all[field];
+  return values;
 }
 
 /** The present values of a component: of a row, of a prefab, or the initial values of a row that is not in use. */
@@ -76,5 +108,6 @@ function setTemplate(world: PhysicsWorld, eid: number, name: ComponentName, valu
 }
 
 function removed(world: PhysicsWorld, eid: number, name: ComponentName): void {
+  if (name === 'Position' && world.state === 'stepping') world.internal.departed.add(eid);
   if (eid <= world.capacity) whenIdle(world, () => closeRow(world, eid, name));
 }

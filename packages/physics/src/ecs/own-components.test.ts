@@ -8,7 +8,7 @@ import {
   spawn,
   wordField,
 } from '@principia/physics';
-import { addComponent, hasComponent, query, set } from 'bitecs';
+import { addComponent, addEntity, hasComponent, query, set } from 'bitecs';
 import { describe, expect, it } from 'vitest';
 
 const Health = defineComponent({ fields: { points: realField('', { initial: 10, bounds: { min: 0 } }) } });
@@ -32,6 +32,14 @@ describe('a component of a user', () => {
     expect(() => query(world, [COMPONENTS.Position])).toThrow('world.components.Position');
     expect(hasComponent(world, id, columnsOf(world, Health))).toBe(false);
     expect([...query(world, [world.components.Position])]).toEqual([id]);
+  });
+
+  it('is refused by an entity beyond the capacity', () => {
+    const world = createPhysicsWorld({ capacity: 4, components: [Health] });
+    const ids = Array.from({ length: 5 }, () => addEntity(world));
+    const Points = columnsOf(world, Health);
+    expect(() => addComponent(world, ids[4], set(Points, { points: 5 }))).toThrow('capacity');
+    expect(hasComponent(world, ids[4], Points)).toBe(false);
   });
 
   it('says what is wrong with its fields', () => {

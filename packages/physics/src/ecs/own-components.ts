@@ -1,6 +1,6 @@
 // Custom components whose columns are in the world's memory: laws read them, snapshots save them, and bitECS adds and
 // removes them like built-in components.
-import { observe, onAdd, onGet, onRemove, onSet } from 'bitecs';
+import { observe, onAdd, onGet, onRemove, onSet, removeComponent } from 'bitecs';
 import { nameOfDefinition } from '../components/all.ts';
 import { type ColumnsOf, type ComponentSpec, type FieldSpec, isComponent } from '../components/define.ts';
 import { MAX_OWN_BITS, ownBitAt } from '../components/membership.ts';
@@ -11,6 +11,7 @@ import type { Arena } from '../memory/arena.ts';
 import { realColumn, wordColumn } from '../memory/columns.ts';
 import type { OwnColumns, OwnComponents, PhysicsWorld } from '../world/types.ts';
 import { registerColumns } from './bitecs/guard-tables.ts';
+import { capacityError } from './entity-capacity.ts';
 import { assertUsable, whenIdle } from './guards.ts';
 
 /**
@@ -81,11 +82,17 @@ export function observeOwnComponents(world: PhysicsWorld): void {
   const { moreMembers } = world.internal;
   for (const [{ fields }, { columns, bit }] of world.internal.ownComponents) {
     registerColumns(world, columns);
-    const change = (isMember: boolean) => (eid: number) =>
+    const change = (isMember: boolean) => (eid: number) => {
+      if (eid > world.capacity) {
+        if (!isMember) return;
+        removeComponent(world, eid, columns);
+        throw capacityError(world, 1, eid);
+      }
       whenIdle(world, () => {
         moreMembers[eid] = isMember ? moreMembers[eid] | bit : moreMembers[eid] & ~bit;
         for (const field of Object.keys(columns)) columns[field][eid] = isMember ? fields[field].initial : 0;
       });
+    };
     observe(world, onAdd(columns), change(true));
     observe(world, onRemove(columns), change(false));
     // bitECS asks for the values of a prefab, which it gives to its instances.

@@ -349,6 +349,10 @@ export interface WorldInternals {
   recordsContacts: boolean;
   /** Edits made during a step, deferred to its end. */
   readonly deferredEdits: (() => void)[];
+  /** What these edits will write to components that are completed from the values that they have (ecs/pending-values.ts). */
+  readonly pendingValues: Map<string, FieldValues>;
+  /** Ids that lost Position through bitECS in this step: their rows still hold the body that is gone. */
+  readonly departed: Set<number>;
   /** Entities removed at the end of this step, and an object of each that identifies its generation. */
   readonly leaving: Map<number, object>;
   /** The first exceptions of user code in this step, and their total count. */
@@ -389,6 +393,8 @@ export interface WorldInternals {
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   /** The value of `world.lastId`. */
   lastId: number;
+  /** The largest it ever was: user code may have written to rows up to there. */
+  highestId: number;
   rangesVersion: number;
   /** Whether `world.ranges` leave out what waits to be a particle, as they do after the phase `emit`. */
   leavesOutWaiting: boolean;
