@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import { bodyId, defineComponent, real, u32 } from './define.ts';
+import { bodyId, defineComponent, flag, real, u32 } from './define.ts';
 
 /**
  * A damped Hooke spring between two bodies. The entity with this component is the spring, and is removed with either
@@ -23,7 +23,7 @@ export const Spring = defineComponent({
      * 1 for a spring that only pulls, like a rope: it exerts no force below its natural length. 0 for a spring that
      * also pushes.
      */
-    tensionOnly: u32('', { bounds: { max: 1 } }),
+    tensionOnly: flag(),
     /** Tension at which the spring breaks, N, if the system `breakSprings` runs; 0 for never. */
     breakForce: real('N', { bounds: { min: 0, max: 1e30 } }),
   },

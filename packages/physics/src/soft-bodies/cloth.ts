@@ -14,6 +14,7 @@ import {
   type Vector,
   type VectorInput,
 } from '../errors/validate.ts';
+import { unit } from '../forces/support/unit-vector.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
   COUNT_BOUNDS,
@@ -34,9 +35,9 @@ export interface ClothOptions extends SpringOptions {
   readonly spacing: number;
   /** Mass of the whole cloth, kg, divided equally among its nodes. */
   readonly mass: number;
-  /** Unit vectors along a row and down a column; default +x and -y. */
+  /** Direction along a row; any length but 0; default +x. */
   readonly right?: VectorInput;
-  /** Unit vector down a column; default -y. */
+  /** Direction down a column, perpendicular to the rows; default -y. */
   readonly down?: VectorInput;
   /** Stiffness of the springs along rows and columns, N/m; default Infinity, which needs the integrator `xpbd`. */
   readonly structural?: number;
@@ -88,9 +89,8 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   checkKeys(options, 'createCloth', OPTION_NAMES);
   const columns = checkNumber(options.columns, 'cloth.columns', COUNT_BOUNDS);
   const rows = checkNumber(options.rows, 'cloth.rows', COUNT_BOUNDS);
-  // The nodes and structural springs are counted first, because the lists of a cloth that is too large would fill the
-  // heap.
-  ensureCapacity(world, columns * rows + columns * (rows - 1) + rows * (columns - 1));
+  // All is counted first, because the lists of a cloth that is too large would fill the heap.
+  ensureCapacity(world, columns * rows + springCount(options, columns, rows));
   const list = new SpringList();
   if (checkFlag(options.tethers, 'cloth.tethers')) addTethers(list, options, columns, rows);
   addBraces(list, options, columns, rows);
@@ -102,10 +102,17 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   return { nodes, springs, columns, rows, at, triangles: belongsTo(world, trianglesOf(at, columns, rows)) };
 }
 
+/** The number of springs but the tethers, of which a node has one at most. */
+function springCount({ shear = 0, bend = 0, structural = Infinity }: ClothOptions, columns: number, rows: number) {
+  const straight = structural > 0 ? columns * (rows - 1) + rows * (columns - 1) : 0;
+  const diagonal = shear > 0 ? 2 * (columns - 1) * (rows - 1) : 0;
+  const second = bend > 0 ? columns * (rows - 2) + rows * (columns - 2) : 0;
+  return straight + diagonal + second;
+}
+
 function placeNodes(options: ClothOptions, columns: number, rows: number) {
   const corner = checkVector(options.corner, 'cloth.corner');
-  const right = checkVector(options.right ?? { x: 1 }, 'cloth.right');
-  const down = checkVector(options.down ?? { y: -1 }, 'cloth.down');
+  const { right, down } = directionsOf(options);
   const spacing = checkNumber(options.spacing, 'cloth.spacing', { above: 0 });
   const count = columns * rows;
   const mass = checkNumber(options.mass, 'cloth.mass', { above: 0 }) / count;
@@ -118,6 +125,21 @@ function placeNodes(options: ClothOptions, columns: number, rows: number) {
   for (const node of pinnedNodes(options.pins ?? 'top', columns, rows)) masses[node] = Infinity;
   const position = { x: coordinates('x'), y: coordinates('y'), z: coordinates('z') };
   return { position, mass: masses };
+}
+
+/** The diagonals of a skewed cloth would be strained. */
+const MAX_COSINE = 1e-6;
+
+function directionsOf(options: ClothOptions) {
+  const right = unit(checkVector(options.right ?? { x: 1 }, 'cloth.right'), 'cloth.right');
+  const down = unit(checkVector(options.down ?? { y: -1 }, 'cloth.down'), 'cloth.down');
+  const cosine = right.x * down.x + right.y * down.y + right.z * down.z;
+  if (Math.abs(cosine) <= MAX_COSINE) return { right, down };
+  throw new PhysicsError('E_RANGE', 'cloth.down must be perpendicular to cloth.right.', {
+    field: 'cloth.down',
+    value: down,
+    hint: 'Give both directions: down is -y unless it is given.',
+  });
 }
 
 function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, rows: number): number[] {

@@ -1,5 +1,7 @@
 import { describe, expect, test } from 'vitest';
+import { spawn } from '../bodies/spawn.ts';
 import { angularMomentum, energy, momentum } from '../diagnostics/energy.ts';
+import { stateHash } from '../diagnostics/hash.ts';
 import { linearDrag } from '../forces/drag.ts';
 import { springs } from '../forces/springs.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
@@ -289,5 +291,40 @@ describe('a soft body', () => {
     };
     expect((potential(-1e-5) - potential(1e-5)) / 2e-5).toBeCloseTo(force, 5);
     expect(Math.abs(force)).toBeGreaterThan(0.1);
+  });
+});
+
+describe('input of cloths and springs', () => {
+  const sheet = { corner: {}, columns: 4, rows: 3, spacing: 0.1, mass: 1 };
+
+  test('takes directions of any length, and refuses those of a cloth that would be strained', () => {
+    const world = createPhysicsWorld({ integrator: xpbd() });
+    const { nodes } = createCloth(world, { ...sheet, right: { x: 3, y: 4 }, down: { x: 4, y: -3 } });
+    const { x, y } = world.components.Position;
+    expect(Math.hypot(x[nodes[3]], y[nodes[3]])).toBeCloseTo(0.3, 14);
+    expect(maxStrain(world)).toBeLessThan(1e-14);
+    const before = stateHash(world);
+    expect(() => createCloth(world, { ...sheet, right: {} })).toThrow('cloth.right has no direction');
+    expect(() => createCloth(world, { ...sheet, right: { y: 1 } })).toThrow('must be perpendicular');
+    expect(stateHash(world)).toBe(before);
+  });
+
+  test('counts the room for all of a cloth at once', () => {
+    const world = createPhysicsWorld({ integrator: xpbd(), capacity: 30 });
+    const braced = { ...sheet, shear: 10, bend: 1 };
+    // 12 nodes, 17 structural springs, 12 diagonals and 10 over two spacings.
+    expect(() => createCloth(world, braced)).toThrow('51');
+    expect(createCloth(createPhysicsWorld({ integrator: xpbd(), capacity: 51 }), braced).springs.length).toBe(39);
+  });
+
+  test('makes a rod of Infinity in the column of stiffness, as of Infinity that is set', () => {
+    const world = createPhysicsWorld({ integrator: xpbd(), forces: [uniformGravity(), springs()] });
+    const { Spring, Position } = world.components;
+    const [a, b] = [spawn(world, { position: {} }), spawn(world, { position: { y: -1 }, mass: 1 })];
+    const spring = spawn(world, { spring: { a, b, length: 1, stiffness: 1000, tensionOnly: true } });
+    Spring.stiffness[spring] = Infinity;
+    for (let i = 0; i < 300; i++) step(world, 1 / 60);
+    expect([Spring.stiffness[spring], Spring.tensionOnly[spring], world.faults.faults.length]).toEqual([1e30, 1, 0]);
+    expect(Position.y[b]).toBeCloseTo(-1, 12);
   });
 });
