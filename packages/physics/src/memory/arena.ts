@@ -101,11 +101,21 @@ export function allocateTogether<T>(arena: Arena, findPage: FindPage, make: () =
   }
 }
 
-/** `findPage` of the kernels. */
+/** `findPage` of the kernels, for {@link seekPage}. */
 export type FindPage = (from: number, to: number, bytes: number, used: number) => number;
 
 /** Granularity in bytes: one page, which most systems allocate only when it is first written. */
 export const PAGE_BYTES = 4096;
+
+/** An address or a size that a kernel returned: WebAssembly hands it over as a signed number, negative from 2 GiB on. */
+export function unsigned(result: number): number {
+  return result >>> 0;
+}
+
+/** Returns the address of the first page in [from, to) that is in use, or that has only zeros, or `to` if none is. */
+export function seekPage(findPage: FindPage, from: number, to: number, sought: 'used' | 'zero'): number {
+  return unsigned(findPage(from, to, PAGE_BYTES, sought === 'used' ? 1 : 0));
+}
 
 /** Writes zeros over [from, to), and only where something else is: untouched pages stay so. */
 export function clearMemory({ buffer }: WebAssembly.Memory, findPage: FindPage, from: number, to: number): void {
@@ -114,8 +124,8 @@ export function clearMemory({ buffer }: WebAssembly.Memory, findPage: FindPage, 
   bytes.fill(0, from, first);
   const last = Math.max(first, Math.floor(to / PAGE_BYTES) * PAGE_BYTES);
   for (let at = first; at < last; ) {
-    const used = findPage(at, last, PAGE_BYTES, 1);
-    at = findPage(used, last, PAGE_BYTES, 0);
+    const used = seekPage(findPage, at, last, 'used');
+    at = seekPage(findPage, used, last, 'zero');
     bytes.fill(0, used, at);
   }
   bytes.fill(0, last, to);

@@ -3,6 +3,7 @@
 import { bitOf } from '../components/membership.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkChoice, checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
+import { unsigned } from '../memory/arena.ts';
 import { forceMemory } from '../memory/force-memory.ts';
 import { N_BODY_BYTES, NBodyNumber, NBodyWord as Word } from '../memory/layouts.gen.ts';
 import { recordAt } from '../memory/record.ts';
@@ -160,7 +161,7 @@ function createSum(spec: MutualSpec) {
     }
     const hasTree = method === 'tree' || (method === 'auto' && world.capacity >= treeFrom(world)) ? 1 : 0;
     const kernels = nBodyKernels(world);
-    const bytes = kernels.nBodyBytes(world.capacity, hasTree);
+    const bytes = unsigned(kernels.nBodyBytes(world.capacity, hasTree));
     const work = take(bytes, spec.name);
     kernels.nBodyBegin(work, world.capacity, hasTree);
     return work;

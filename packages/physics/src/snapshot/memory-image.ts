@@ -1,5 +1,5 @@
 // Saves and restores the world's memory. Pages that contain only zeros are omitted.
-import { clearMemory, PAGE_BYTES } from '../memory/arena.ts';
+import { clearMemory, PAGE_BYTES, seekPage } from '../memory/arena.ts';
 import { COLUMN_TABLE, COLUMNS_BYTES, FIRST_COLUMN } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -68,10 +68,10 @@ function layoutOf(world: PhysicsWorld, top: number): Layout {
 function coversAll({ kernels }: PhysicsWorld, runs: readonly number[], top: number): boolean {
   let at = FIRST_COLUMN;
   for (let r = 0; r < runs.length; r += 2) {
-    if (kernels.findPage(at, runs[r], PAGE_BYTES, 1) < runs[r]) return false;
+    if (seekPage(kernels.findPage, at, runs[r], 'used') < runs[r]) return false;
     at = runs[r + 1];
   }
-  return at >= top || kernels.findPage(at, top, PAGE_BYTES, 1) >= top;
+  return at >= top || seekPage(kernels.findPage, at, top, 'used') >= top;
 }
 
 /** Returns the given ranges extended by all non-zero pages. */
@@ -81,13 +81,13 @@ function extendRanges({ kernels, memory: { buffer } }: PhysicsWorld, before: rea
   let length = COLUMNS_BYTES;
   let b = 0;
   for (let at = FIRST_COLUMN; ; ) {
-    const from = Math.min(kernels.findPage(at, top, PAGE_BYTES, 1), b < before.length ? before[b] : top);
+    const from = Math.min(seekPage(kernels.findPage, at, top, 'used'), b < before.length ? before[b] : top);
     if (from >= top) break;
     at = from;
     for (let end = -1; end !== at; ) {
       end = at;
       for (; b < before.length && before[b] <= at; b += 2) at = Math.max(at, before[b + 1]);
-      if (at < top) at = kernels.findPage(at, top, PAGE_BYTES, 0);
+      if (at < top) at = seekPage(kernels.findPage, at, top, 'zero');
     }
     runs.push(from, at);
     views.push(new Uint8Array(buffer, from, at - from));
