@@ -28,7 +28,7 @@ import {
   type EmitterParameters,
   parametersOf,
 } from './options.ts';
-import { type BurstPattern, checkPattern } from './pattern.ts';
+import { addressOf, type BurstPattern } from './pattern.ts';
 import { type Block, layOut, makeBodies, maxBursts, poolOf, removeBodies, returnBlock, takeBlock } from './pool.ts';
 import { BURST_BYTES, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
@@ -68,7 +68,7 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
   const block = takeBlock(world, capacity, checkFlag(options.reportEndings, 'reportEndings'));
   let ids: Uint32Array;
   try {
-    ids = markImmutable(makeBodies(world, options));
+    ids = makeBodies(world, options);
   } catch (error) {
     returnBlock(world, block);
     throw error;
@@ -232,7 +232,7 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
   const { ramp = -1, pattern, scale = 1, position = NO_OPTIONS, velocity = NO_OPTIONS } = options;
   checkWhole(ramp, 'ramp', -1, words[W.rampCount] - 1);
   checkNumber(scale, 'scale', SCALE_BOUNDS);
-  if (pattern !== undefined) checkPattern(world, pattern);
+  const velocities = pattern === undefined ? 0 : addressOf(world, pattern);
   const pendingCount = words[W.burstCount];
   if (pendingCount >= maxBursts(capacity)) {
     throw new PhysicsError(
@@ -250,7 +250,7 @@ export function burst(emitter: Emitter, count: number, options: BurstOptions = N
   bursts[start + BurstNumber.count] = count;
   bursts[start + BurstNumber.placed] = options.position === undefined ? 0 : 1;
   bursts[start + BurstNumber.ramp] = ramp;
-  bursts[start + BurstNumber.pattern] = pattern?.at ?? 0;
+  bursts[start + BurstNumber.pattern] = velocities;
   bursts[start + BurstNumber.patternCount] = pattern?.count ?? 0;
   bursts[start + BurstNumber.scale] = scale;
   words[W.burstCount] = pendingCount + 1;

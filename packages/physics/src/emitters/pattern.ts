@@ -13,8 +13,6 @@ export interface BurstPattern {
   readonly world: PhysicsWorld;
   /** The number of velocities. */
   readonly count: number;
-  /** Address of the first velocity: x, y and z as f64, m/s. For internal use. */
-  readonly at: number;
 }
 
 const VELOCITY_BYTES = 24;
@@ -47,17 +45,25 @@ export function createPattern(world: PhysicsWorld, velocities: readonly VectorIn
   const count = velocities.length;
   const at = allocate(world.internal.arena, count * VELOCITY_BYTES, `a pattern of ${count}`);
   new Float64Array(world.memory.buffer, at, 3 * count).set(numbers);
-  const pattern = markImmutable(Object.freeze({ world, count, at }));
-  patternsOf(world).add(pattern);
+  const pattern = markImmutable(Object.freeze({ world, count }));
+  patternsOf(world).set(pattern, at);
   return pattern;
 }
 
-/** The patterns of a world. Restoring a snapshot removes patterns created since, whose memory is reused. */
-const patternsOf = namedResource('burst patterns', () => new Set<BurstPattern>());
+/**
+ * The patterns of a world, and the address of the first velocity of each: x, y and z as f64, m/s. It is here and not in the
+ * pattern, which is frozen, because a decoded snapshot has another. Restoring a snapshot removes patterns created since,
+ * whose memory is reused.
+ */
+const patternsOf = namedResource('burst patterns', () => new Map<BurstPattern, number>());
 
-/** @throws PhysicsError E_RANGE for a pattern of another world, E_STALE for a pattern that a restored snapshot removed */
-export function checkPattern(world: PhysicsWorld, pattern: BurstPattern): void {
-  if (patternsOf(world).has(pattern)) return;
+/**
+ * Returns the address of the velocities.
+ * @throws PhysicsError E_RANGE for a pattern of another world, E_STALE for a pattern that a restored snapshot removed
+ */
+export function addressOf(world: PhysicsWorld, pattern: BurstPattern): number {
+  const at = patternsOf(world).get(pattern);
+  if (at !== undefined) return at;
   if (pattern?.world !== world) {
     throw new PhysicsError('E_RANGE', 'pattern must be made by createPattern for the world of the emitter.', {
       field: 'pattern',

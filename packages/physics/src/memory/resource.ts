@@ -65,7 +65,10 @@ export function resource<T>(
   return (world) => stateAt(world, key, create);
 }
 
-/** The name of resources that follow from options, and that another world computes by itself. */
+/**
+ * The name of resources that another world computes by itself: what follows from options, and lists whose functions know the
+ * addresses of a table, which a decoded snapshot moves. `restore` of one drops them, and the next use makes them again.
+ */
 export const COMPUTED_ANEW = 'computed anew';
 
 /** A resource of this package. */

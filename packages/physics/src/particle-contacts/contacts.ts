@@ -3,7 +3,7 @@
 import { warnAboutWallContacts } from '#warnings';
 import type { RealColumn } from '../components/define.ts';
 import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
-import { markImmutable, namedResource } from '../memory/resource.ts';
+import { COMPUTED_ANEW, markImmutable, namedResource } from '../memory/resource.ts';
 import { emit, hasHandlers } from '../world/event-handlers.ts';
 import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -55,7 +55,7 @@ export interface WallContacts {
   readonly impulse: RealColumn;
 }
 
-const contactsOf = /* @__PURE__ */ namedResource<Contacts>('particle contacts', (world) => {
+const contactsOf = /* @__PURE__ */ namedResource<Contacts>(COMPUTED_ANEW, (world) => {
   const table = contactTable(world).words;
   const capacity = table[Word.capacity];
   const { reals, words } = viewers(world, capacity);
@@ -79,7 +79,7 @@ const contactsOf = /* @__PURE__ */ namedResource<Contacts>('particle contacts', 
   });
 });
 
-const wallContactsOf = /* @__PURE__ */ namedResource<WallContacts>('wall contacts', (world) => {
+const wallContactsOf = /* @__PURE__ */ namedResource<WallContacts>(COMPUTED_ANEW, (world) => {
   const table = contactTable(world).words;
   const { reals, words } = viewers(world, table[Word.wallCapacity]);
   return markImmutable({

@@ -17,7 +17,8 @@ import { type ArrayPlace, BytesReader, makeArray } from './packed-bytes.ts';
  * Reads what `encodeSnapshot` wrote, as a snapshot of this world: `restore` then makes this world go on as the other would have,
  * to the bit. The world must have been made as the other was: with the same options, forces, systems, emitters and calls of
  * `keepState`. Its bodies, joints and springs may differ. Of kept objects the number, the kinds and the fields at the time of
- * `keepState` are compared: two with the same fields in another order cannot be told apart. The world stays as it is until `restore`.
+ * `keepState` are compared: two with the same fields in another order cannot be told apart. The world stays as it is until `restore`,
+ * after which lists such as `contacts(world)` have to be asked for again, because they lie elsewhere in the memory.
  * @throws PhysicsError E_TYPE for bytes that are no snapshot or of a world made otherwise, E_REENTRANT, E_DESTROYED
  */
 export function decodeSnapshot(world: PhysicsWorld, bytes: Uint8Array): Snapshot {

@@ -7,7 +7,7 @@ import {
   RigidTableWord as Word,
 } from '../memory/layouts.gen.ts';
 import { recordAt } from '../memory/record.ts';
-import { markImmutable, namedResource } from '../memory/resource.ts';
+import { COMPUTED_ANEW, markImmutable, namedResource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
@@ -45,7 +45,7 @@ export interface ContactEvents {
   readonly droppedCount: number;
 }
 
-const eventsOf = /* @__PURE__ */ namedResource<ContactEvents>('contact events', (world) => {
+const eventsOf = /* @__PURE__ */ namedResource<ContactEvents>(COMPUTED_ANEW, (world) => {
   const { words } = rigidTable(world);
   const end = {
     get count() {

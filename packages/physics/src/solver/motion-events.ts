@@ -1,7 +1,7 @@
 // Which rigid bodies moved, fell asleep or woke, as arrays, which are read after a step.
 import { assertUsable } from '../ecs/guards.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
-import { markImmutable, namedResource } from '../memory/resource.ts';
+import { COMPUTED_ANEW, markImmutable, namedResource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
@@ -22,7 +22,7 @@ export interface MotionEvents {
   readonly awake: BodyIds;
 }
 
-const eventsOf = /* @__PURE__ */ namedResource<MotionEvents>('motion events', (world) => {
+const eventsOf = /* @__PURE__ */ namedResource<MotionEvents>(COMPUTED_ANEW, (world) => {
   const { words } = rigidTable(world);
   const bodies = (count: Word, list: Word): BodyIds => ({
     get count() {

@@ -1,7 +1,7 @@
 // Events of sensors as arrays, which are read after a step.
 import { assertUsable } from '../ecs/guards.ts';
 import { RigidTableWord as Word } from '../memory/layouts.gen.ts';
-import { markImmutable, namedResource } from '../memory/resource.ts';
+import { COMPUTED_ANEW, markImmutable, namedResource } from '../memory/resource.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { listOf } from './contact-events.ts';
@@ -23,7 +23,7 @@ export interface SensorEvents {
   readonly end: SensorPairs;
 }
 
-const eventsOf = /* @__PURE__ */ namedResource<SensorEvents>('sensor events', (world) => {
+const eventsOf = /* @__PURE__ */ namedResource<SensorEvents>(COMPUTED_ANEW, (world) => {
   const { words } = rigidTable(world);
   const pairs = (count: Word, sensor: Word, visitor: Word): SensorPairs => ({
     get count() {
