@@ -6,22 +6,27 @@ import {
   circle,
   createPhysicsWorld,
   createRandom,
+  decodeSnapshot,
   despawn,
+  encodeSnapshot,
   nearestPoint,
   overlapShape,
   type PhysicsWorld,
   type Random,
   rayCast,
   rayCastAll,
+  restore,
   rigidBodies,
   segment,
   setShape,
+  snapshot,
   spawn,
   spawnCompound,
   standard,
   step,
   uniformGravity,
 } from '@principia/physics';
+import { addComponent, set } from 'bitecs';
 import { expect, test } from 'vitest';
 import { bitOf } from '../components/membership.ts';
 import { openQuery } from './body-query.ts';
@@ -129,6 +134,25 @@ test('bodies that moved, came, went or changed between two steps are seen as the
   step(world, 1 / 60);
   despawn(world, 50);
   expect(overlapShape(world, circle(100), { x: 0, y: 0 })).not.toContain(50);
+});
+
+test('in a world that takes the snapshot of another, bodies that change one by one are all found', () => {
+  const make = () => createPhysicsWorld({ preset: rigidBodies, capacity: 1000 });
+  const saved = make();
+  for (let i = 0; i < 300; i++) spawn(saved, { position: { x: 3 * i }, mass: 1, collider: { radius: 0.5 } });
+  // Each restore raises the versions by which trees are known to be out of date.
+  for (let i = 0; i < 12; i++) restore(saved, snapshot(saved));
+  usesTrees(saved);
+  step(saved, 1 / 60);
+  expect(usesTrees(saved)).toBe(true);
+  const loaded = make();
+  restore(loaded, decodeSnapshot(loaded, encodeSnapshot(snapshot(saved))));
+  for (let i = 0; i < 30; i++) {
+    addComponent(loaded, i + 1, set(loaded.components.Collider, { radius: 1.4 }));
+    const [above, below] = [10, -10].map((y) => ({ x: 3 * i + 1.2, y }));
+    expect(rayCast(loaded, above, below)?.body).toBe(i + 1);
+    expect(overlapShape(loaded, circle(0.01), { x: 3 * i + 1.2 })).toEqual([i + 1]);
+  }
 });
 
 test('sensors are seen when asked for, and lines without thickness are found', () => {

@@ -181,7 +181,8 @@ export class Content implements Snapshot {
     this.#plain.putBack();
     // Of the kept objects the snapshot has those that came first; the others stay kept, with the values that they have.
     if (kept !== undefined) for (const object of all.slice(kept.length)) kept.push(object);
-    versions.restored = restored;
+    // What the memory remembers of another world's versions must not come true here: sums of them only grow.
+    versions.restored = Math.max(restored, versions.restored);
     addIdleBlocks(world, this.#idle);
     refill(world.forces, this.#forces as typeof world.forces);
     for (let p = 0; p < PHASES.length; p++) refill(world.phases[PHASES[p]], this.#phases[p]);
