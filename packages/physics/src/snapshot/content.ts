@@ -5,10 +5,11 @@ import { addIdleBlocks, type Block } from '../memory/force-memory.ts';
 import { isImmutable, ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
 import type { PhysicsWorld, System } from '../world/types.ts';
+import type { WorldLists } from './encoded-values.ts';
 import { noEntities, restoreEntities, type SavedEntities, saveEntities } from './entities.ts';
 import { KEPT, keptList, keptObjects } from './keep-state.ts';
 import { type MemoryImage, noImage, putImage, takeImage } from './memory-image.ts';
-import type { Copy } from './object-copies.ts';
+import type { ArrayCopy, Copy } from './object-copies.ts';
 import { PlainRecord } from './plain-record.ts';
 import { pathTo, refuseLoss } from './refuse-state.ts';
 
@@ -118,6 +119,21 @@ export class Content implements Snapshot {
   get parts(): SnapshotParts {
     const [scalars, image, entities] = [this.#scalars, this.#image, this.#entities];
     return { scalars, image, entities, keys: this.#keys, states: this.#states, idle: this.#idle };
+  }
+
+  /** The lists as they were when the snapshot was taken. */
+  get lists(): WorldLists {
+    const phases = Object.fromEntries(
+      PHASES.map((phase, p) => [phase, this.#phases[p]] as const),
+    ) as unknown as WorldLists['phases'];
+    return { integrator: this.#integrator, forces: this.#forces as PhysicsWorld['forces'], phases };
+  }
+
+  /** The objects that were kept when the snapshot was taken. */
+  get kept(): readonly object[] | undefined {
+    const list = this.#states[this.#keys.findIndex((key) => (key as ResourceKey).name === KEPT)];
+    const copy = this.copies.find(({ target }) => target === list);
+    return (copy as ArrayCopy | undefined)?.items as object[] | undefined;
   }
 
   /** Copies of the objects outside the memory. */

@@ -10,6 +10,7 @@ import { addPlainObjects, Content, type Snapshot } from './content.ts';
 import { type Contents, copyWith, HOLE } from './contents.ts';
 import { type EncodedSnapshot, formOf, type WorldForm } from './encode-snapshot.ts';
 import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
+import { keptList } from './keep-state.ts';
 import type { Copy } from './object-copies.ts';
 import { type ArrayPlace, BytesReader, makeArray } from './packed-bytes.ts';
 
@@ -52,7 +53,7 @@ export function decodeSnapshot(world: PhysicsWorld, bytes: Uint8Array): Snapshot
 }
 
 function assertSameForm(world: PhysicsWorld, form: WorldForm): void {
-  const here = formOf(world);
+  const here = formOf(world, world, keptList(world));
   for (const field of Object.keys(here) as (keyof WorldForm)[]) {
     if (field === 'kept') assertSameKept(form.kept, here.kept);
     const [theirs, ours] = [JSON.stringify(form[field]), JSON.stringify(here[field])];
@@ -141,7 +142,7 @@ class ValueDecoder {
     this.#objects = objects;
     this.#reader = reader;
     this.#memory = world.memory.buffer as ArrayBuffer;
-    this.#parts = partsOfWorld(world);
+    this.#parts = partsOfWorld(world, world);
     this.#targets = objects.map(() => undefined);
     this.#places = objects.map(() => '');
   }

@@ -9,7 +9,7 @@ import type { PhysicsWorld, System } from '../world/types.ts';
 import { addPlainObjects, type Content, type Scalars, type Snapshot } from './content.ts';
 import { contentsOf, HOLE } from './contents.ts';
 import { isDeeplyFrozen } from './deeply-frozen.ts';
-import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf } from './encoded-values.ts';
+import { type EncodedObject, type EncodedValue, partsOfWorld, prototypeOf, type WorldLists } from './encoded-values.ts';
 import { keptForms } from './keep-state.ts';
 import { type Copy, copyOf, ObjectCopy } from './object-copies.ts';
 import { type ArrayPlace, BytesWriter, isNumberArray } from './packed-bytes.ts';
@@ -70,7 +70,7 @@ export function encodeSnapshot(snapshot: Snapshot): Uint8Array {
   addPlainObjects(world, (object) => roots.push(encoder.value(object)));
   const { dense, members, moreMembers, length: ids, alive, maxId, rows } = entities;
   const encoded: EncodedSnapshot = {
-    form: formOf(world),
+    form: formOf(world, content.lists, content.kept),
     scalars,
     image: { runs, top, staggered },
     imageBytes: bytes.add(image.bytes.subarray(0, length)),
@@ -87,13 +87,13 @@ export function encodeSnapshot(snapshot: Snapshot): Uint8Array {
 }
 
 /** The memory of forces that is state, and that of the others, which is free in another world. */
-function encodeForces({ world, parts }: Content): Pick<EncodedSnapshot, 'forces' | 'idle'> {
+function encodeForces({ lists, parts }: Content): Pick<EncodedSnapshot, 'forces' | 'idle'> {
   const states = new Map(parts.keys.map((key, i) => [key, parts.states[i]]));
-  const forces = world.forces.map(({ memory }) => {
+  const forces = lists.forces.map(({ memory }) => {
     if (memory === undefined || !states.has(memory.key)) return null;
     return { form: memory.form, state: states.get(memory.key) as CarriedState };
   });
-  for (const { memory } of world.forces) if (memory !== undefined) states.delete(memory.key);
+  for (const { memory } of lists.forces) if (memory !== undefined) states.delete(memory.key);
   return { forces, idle: [...parts.idle, ...[...states].flatMap(([key, state]) => blocksOf(key, state) ?? [])] };
 }
 
@@ -121,8 +121,12 @@ function withoutName(state: unknown): PhysicsError {
 }
 
 /** What the world must have in common with another that takes its snapshot. */
-export function formOf(world: PhysicsWorld): WorldForm {
-  const { dimensions, precision, seed, capacity, memory, internal, integrator, forces, phases } = world;
+export function formOf(
+  world: PhysicsWorld,
+  { integrator, forces, phases }: WorldLists,
+  kept: readonly object[] | undefined,
+): WorldForm {
+  const { dimensions, precision, seed, capacity, memory, internal } = world;
   const nameOf = (each: { readonly name: string }) => each.name;
   return {
     version: KERNEL_SOURCES,
@@ -135,7 +139,7 @@ export function formOf(world: PhysicsWorld): WorldForm {
     integrator: integrator.name,
     forces: forces.map(nameOf),
     systems: PHASES.flatMap((phase) => phases[phase].map((system) => `${phase}: ${nameOfSystem(system)}`)),
-    kept: keptForms(world),
+    kept: keptForms(kept),
   };
 }
 
@@ -152,10 +156,10 @@ class ValueEncoder {
   readonly #numbers = new Map<object, number>();
   readonly #partNames: ReadonlyMap<unknown, string>;
 
-  constructor({ world, copies }: Content, bytes: BytesWriter) {
+  constructor({ world, lists, copies }: Content, bytes: BytesWriter) {
     this.#memory = world.memory.buffer;
     this.#bytes = bytes;
-    this.#partNames = new Map([...partsOfWorld(world)].map(([name, part]) => [part, name]));
+    this.#partNames = new Map([...partsOfWorld(world, lists)].map(([name, part]) => [part, name]));
     this.#copies = new Map(copies.map((copy) => [copy.target, copy]));
   }
 

@@ -1,7 +1,7 @@
 // How an encoded snapshot writes what is outside the memory: objects as a list, in which values refer to others.
 import type { Shape } from '../collision/shapes/2d/shape.ts';
-import { PHASES } from '../world/phases.ts';
-import type { PhysicsWorld } from '../world/types.ts';
+import { PHASES, type Phase } from '../world/phases.ts';
+import type { PhysicsWorld, System } from '../world/types.ts';
 import type { Contents } from './contents.ts';
 import type { ArrayPlace } from './packed-bytes.ts';
 
@@ -38,17 +38,24 @@ export interface EncodedObject {
   readonly isFrozen?: true;
 }
 
+/** What the lists of a world contained when a snapshot was taken, or contain now. */
+export interface WorldLists {
+  readonly integrator: PhysicsWorld['integrator'];
+  readonly forces: PhysicsWorld['forces'];
+  readonly phases: { readonly [P in Phase]: readonly System[] };
+}
+
 /** What belongs to a world, by the names that it has there. */
-export function partsOfWorld(world: PhysicsWorld): Map<string, unknown> {
+export function partsOfWorld(world: PhysicsWorld, { integrator, forces, phases }: WorldLists): Map<string, unknown> {
   const parts = new Map<string, unknown>([
     ['world', world],
-    ['integrator', world.integrator],
+    ['integrator', integrator],
   ]);
-  world.forces.forEach((force, i) => {
+  forces.forEach((force, i) => {
     parts.set(`forces ${i}`, force);
   });
   for (const phase of PHASES) {
-    world.phases[phase].forEach((system, i) => {
+    phases[phase].forEach((system, i) => {
       parts.set(`${phase} ${i}`, system);
     });
   }

@@ -25,9 +25,9 @@ export function keptList({ internal }: PhysicsWorld): object[] | undefined {
   return internal.resources.get(KEY) as object[] | undefined;
 }
 
-/** What the kept objects of a world were when they were passed, in their order. */
-export function keptForms(world: PhysicsWorld): string[] {
-  return (keptList(world) ?? []).map((each) => forms.get(each) ?? '');
+/** What the objects of a list were when they were passed, in their order. */
+export function keptForms(list: readonly object[] = []): string[] {
+  return list.map((each) => forms.get(each) ?? '');
 }
 
 /** Of a class it has no name, because minifiers change it. */
