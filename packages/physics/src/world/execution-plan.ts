@@ -85,8 +85,9 @@ function releaseForces(world: PhysicsWorld): void {
   for (const force of forces) if (force.releaseMemory !== undefined) heldForces.add(force);
 }
 
-/** Lets a force that has left the world give its memory back, unless another force there shares it. */
+/** Lets a force that has left the world give its memory back, unless it is there once more or another force shares it. */
 export function releaseForce(world: PhysicsWorld, force: Force): void {
+  if (world.forces.includes(force)) return;
   const { releaseMemory } = force;
   world.internal.heldForces.delete(force);
   if (!world.forces.some((each) => each.releaseMemory === releaseMemory)) releaseMemory?.(world);

@@ -218,6 +218,22 @@ describe('the memory of a force', () => {
     expect(force.report(world).evaluations).toBe(3);
   });
 
+  it('goes to the next force although the force replaced itself before', () => {
+    const make = () => mutualGravity({ G: 1, softening: 0.1 });
+    const force = make();
+    const world = createPhysicsWorld({ forces: [force] });
+    for (let x = 0; x < 3; x++) spawn(world, { position: { x }, mass: 1 });
+    step(world, 0.01);
+    replaceForce(world, force, force);
+    step(world, 0.01);
+    const { top } = world.internal.arena;
+    world.forces.length = 0;
+    step(world, 0.01);
+    world.forces.push(make());
+    step(world, 0.01);
+    expect(world.internal.arena.top).toBe(top);
+  });
+
   it('is taken anew where the force comes back after it was replaced', () => {
     const [one, two] = [1, 2].map((G) => mutualGravity({ G, softening: 0.1 }));
     const world = createPhysicsWorld({ forces: [one] });
