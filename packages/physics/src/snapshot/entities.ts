@@ -5,6 +5,7 @@ import { BUILT_IN_BITS, bitInWord, isInFirstWord, type MemberBits } from '../com
 import { componentGiver, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
 import {
   countEntities,
+  highestId,
   isSameIndex,
   livingEntities,
   recreateEntity,
@@ -18,7 +19,7 @@ import type { PhysicsWorld } from '../world/types.ts';
 
 /** The saved entities, in arrays that later snapshots reuse. */
 export interface SavedEntities extends SavedIndex {
-  /** Component bits of the rows up to the highest in use, in both words. */
+  /** Component bits in both words, of the rows that may have some. */
   members: Uint32Array;
   moreMembers: Uint32Array;
   rows: number;
@@ -32,7 +33,7 @@ export function noEntities(): SavedEntities {
 export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
   saveIndex(world, into, roundUpCapacity);
   const { members, moreMembers } = world.internal;
-  const rows = world.lastId + 1;
+  const rows = rowsWithComponents(world);
   if (into.members.length < rows) {
     into.members = new Uint32Array(roundUpCapacity(rows));
     into.moreMembers = new Uint32Array(roundUpCapacity(rows));
@@ -42,6 +43,12 @@ export function saveEntities(world: PhysicsWorld, into: SavedEntities): void {
     into.moreMembers[row] = moreMembers[row];
   }
   into.rows = rows;
+}
+
+/** `lastId` counts no entity whose components are all the user's own. */
+function rowsWithComponents(world: PhysicsWorld): number {
+  const { lastId, internal, rows } = world;
+  return internal.ownComponents.size === 0 ? lastId + 1 : Math.min(highestId(world) + 1, rows);
 }
 
 /** Rounds the capacity up, so that a world that grows slowly does not reallocate each time. */
@@ -116,7 +123,7 @@ function removeOthers(world: PhysicsWorld, savedIds: ReadonlySet<number>, attemp
 
 function changeAllComponents(world: PhysicsWorld, saved: SavedEntities, attempt: Attempt): void {
   const { members, moreMembers } = world.internal;
-  const rows = Math.max(saved.rows, world.lastId + 1);
+  const rows = Math.max(saved.rows, rowsWithComponents(world));
   for (let eid = 1; eid < rows; eid++) {
     const isSaved = eid < saved.rows;
     const first = isSaved ? saved.members[eid] : 0;

@@ -17,6 +17,11 @@ export function countEntities(world: PhysicsWorld): number {
   return contextOf(world).entityIndex.aliveCount;
 }
 
+/** The highest id that an entity has or had. */
+export function highestId(world: PhysicsWorld): number {
+  return contextOf(world).entityIndex.maxId;
+}
+
 /** The living entities in bitECS's order. */
 export function livingEntities(world: PhysicsWorld): number[] {
   const { dense, aliveCount } = contextOf(world).entityIndex;
