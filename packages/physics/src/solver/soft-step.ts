@@ -149,6 +149,14 @@ function assertPreset({ phases }: PhysicsWorld): void {
   });
 }
 
+/** What all parts of a step need to know. */
+interface Solving {
+  readonly kernels: Kernels;
+  /** Addresses of the tables of bodies and of joints; 0 where there are no joints. */
+  readonly at: number;
+  readonly joints: number;
+}
+
 function advance(
   world: PhysicsWorld,
   ranges: Ranges,
@@ -156,22 +164,47 @@ function advance(
   evaluateForces: EvaluateForces,
   { substeps, shouldCollide }: { readonly substeps: number; readonly shouldCollide: ShouldCollide | undefined },
 ): void {
-  const kernels = rigidKernels(world);
-  const { at, words, numbers } = rigidTable(world);
   const h = dt / substeps;
   beginSubsteps(world, h);
-  numbers[Value.dt] = dt;
-  words[Word.rows] = world.lastId + 1;
-  words[Word.torqueZ] = anyForceAppliesTorque(world) ? world.scratch.at.torque.z : 0;
-
+  const solving = beginStep(world, dt);
+  const { kernels, at } = solving;
   kernels.gatherBodies(at);
   // Before anything else, because other forces wake what sleeps.
   evaluateForces(world, ranges, world.time);
+  findContacts(world, solving, shouldCollide);
+  const isCrowded = kernels.findCrowds(at) > 0;
+  const isSteady = areForcesSteady(world);
+  for (let s = 0; s < substeps; s++) {
+    if (s > 0 && !isSteady) evaluateForces(world, ranges, world.time + s * h);
+    solveVelocities(solving, isCrowded, s === 0);
+    kernels.integratePositions(at);
+    relaxVelocities(solving, isCrowded);
+    if (s < substeps - 1 && !isSteady) writePoses(kernels, at);
+  }
+  bounce(solving, isCrowded);
+  endStep(world, solving);
+}
+
+function beginStep(world: PhysicsWorld, dt: number): Solving {
+  const { at, words, numbers } = rigidTable(world);
+  numbers[Value.dt] = dt;
+  words[Word.rows] = world.lastId + 1;
+  words[Word.torqueZ] = anyForceAppliesTorque(world) ? world.scratch.at.torque.z : 0;
   const joints = world.internal.counts.Joint > 0 ? jointTable(world).at : 0;
   words[Word.joints] = joints;
   words[Word.linkCount] = 0;
-  listSprings(world, words);
   words[Word.loopCount] = 0;
+  return { kernels: rigidKernels(world), at, joints };
+}
+
+/** The broad and the narrow phase; what sleeps and is met or pulled wakes before manifolds are found. */
+function findContacts(
+  world: PhysicsWorld,
+  { kernels, at, joints }: Solving,
+  shouldCollide: ShouldCollide | undefined,
+): void {
+  const { words } = rigidTable(world);
+  listSprings(world, words);
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
   if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
@@ -180,36 +213,44 @@ function advance(
   kernels.updateContacts(at);
   kernels.colorContacts(at);
   kernels.prepareContacts(at);
-  const crowded = kernels.findCrowds(at) > 0;
-  const isSteady = areForcesSteady(world);
-  for (let s = 0; s < substeps; s++) {
-    if (s > 0 && !isSteady) evaluateForces(world, ranges, world.time + s * h);
-    kernels.integrateVelocities(at);
-    if (crowded) kernels.measureCrowds(at);
-    if (joints !== 0 && s === 0) kernels.slowLandings(at);
-    if (joints !== 0) kernels.startJoints(joints);
-    kernels.warmStartContacts(at);
-    kernels.holdLocked(at);
-    if (joints !== 0) solveJoints(kernels, joints);
-    kernels.solveContacts(at);
-    kernels.holdLocked(at);
-    if (crowded) kernels.limitCrowdSpeeds(at);
-    kernels.integratePositions(at);
-    if (joints !== 0) relaxJoints(kernels, joints);
-    kernels.relaxContacts(at);
-    kernels.holdLocked(at);
-    if (crowded) kernels.limitCrowdEnergies(at);
-    if (s < substeps - 1 && !isSteady) writePoses(kernels, at);
-  }
+}
+
+/** Begins a sub-step: velocities as forces, joints and contacts want them, with the pull on gaps and the push on overlap. */
+function solveVelocities({ kernels, at, joints }: Solving, isCrowded: boolean, isFirst: boolean): void {
+  kernels.integrateVelocities(at);
+  if (isCrowded) kernels.measureCrowds(at);
+  if (joints !== 0 && isFirst) kernels.slowLandings(at);
+  if (joints !== 0) kernels.startJoints(joints);
+  kernels.warmStartContacts(at);
+  kernels.holdLocked(at);
+  if (joints !== 0) solveJoints(kernels, joints);
+  kernels.solveContacts(at);
+  kernels.holdLocked(at);
+  if (isCrowded) kernels.limitCrowdSpeeds(at);
+}
+
+/** Ends a sub-step: takes back the speed that pulls and pushes gave. */
+function relaxVelocities({ kernels, at, joints }: Solving, isCrowded: boolean): void {
+  if (joints !== 0) relaxJoints(kernels, joints);
+  kernels.relaxContacts(at);
+  kernels.holdLocked(at);
+  if (isCrowded) kernels.limitCrowdEnergies(at);
+}
+
+function bounce({ kernels, at, joints }: Solving, isCrowded: boolean): void {
   // Where joints close a loop or hold many bodies, what bounces is no longer as they want it.
   const bounced = kernels.applyRestitution(at) > 0;
   if (joints !== 0 && (kernels.endLandings(at) > 0 || bounced)) kernels.relaxLocks(joints);
-  if (crowded) kernels.endCrowds(at);
+  if (isCrowded) kernels.endCrowds(at);
   kernels.holdLocked(at);
+}
+
+/** Keeps impulses for the next step, stops what would pass through something, and writes columns and events. */
+function endStep(world: PhysicsWorld, { kernels, at, joints }: Solving): void {
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
   writePoses(kernels, at);
-  if (words[Word.partCount] > 0) kernels.writeParts(at, 0);
+  if (rigidTable(world).words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);
   markBodiesToSleep(world);
   kernels.updateSleep(at);

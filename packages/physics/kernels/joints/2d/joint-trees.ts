@@ -10,9 +10,9 @@ import { COUPLES, LOCKS, ROPE } from './list-active';
 export const LOOP: i32 = 0;
 export const PARENT_A: i32 = 1;
 export const PARENT_B: i32 = 2;
-const UNREACHED: i32 = 3;
 // It closes a loop of a mechanism, or couples bodies of it (mechanisms.ts).
 export const CLOSING: i32 = 3;
+const UNREACHED: i32 = 4;
 
 // Of a body whose joints are in a tree, in the place of its first joint: this less the index of the body in t.bodies.
 const REACHED: i32 = -2;
