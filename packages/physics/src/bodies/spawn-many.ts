@@ -5,6 +5,7 @@ import { warnAboutColor } from '#warnings';
 import { storeShape } from '../collision/shapes/2d/shape.ts';
 import type { ComponentName } from '../components/all.ts';
 import { componentGiver, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
+import { highestId } from '../ecs/bitecs/entity-index.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
 import { capacityError, ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertOutsideStep, assertUsable } from '../ecs/guards.ts';
@@ -70,7 +71,7 @@ function createEntities(
 ): void {
   const count = ids.length;
   const giveComponents = componentGiver(world, names);
-  const used = world.internal.highestId;
+  const used = highestId(world);
   for (let i = 0; i < count; i++) {
     const eid = addEntity(world);
     giveComponents(eid);

@@ -37,7 +37,7 @@ export function openRow(world: PhysicsWorld, eid: number, name: ComponentName): 
   if (!isRowUsed(world, eid)) cleanRow(world, eid);
   toggleBit(world, eid, name);
   internal.counts[name]++;
-  if (eid > world.lastId) raiseLastId(world, eid);
+  if (eid > world.lastId) world.internal.lastId = eid;
   versions.membership++;
   writeRow(world, eid, name, initialValues(name));
 }
@@ -51,7 +51,7 @@ export function openRows(world: PhysicsWorld, names: readonly ComponentName[], i
     const eid = ids[i];
     internal.members[eid] |= first;
     internal.moreMembers[eid] |= second;
-    if (names.length > 0 && eid > world.lastId) raiseLastId(world, eid);
+    if (names.length > 0 && eid > world.lastId) internal.lastId = eid;
   }
   countPartialEntities(world, 0, first, ids.length);
   if (names.includes('Attachment')) for (const id of ids) noteNewPart(world, id);
@@ -122,11 +122,6 @@ export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName):
   }
   versions.membership++;
   versions.style++;
-}
-
-function raiseLastId({ internal }: PhysicsWorld, eid: number): void {
-  internal.lastId = eid;
-  internal.highestId = Math.max(internal.highestId, eid);
 }
 
 function lowerLastId(world: PhysicsWorld): void {

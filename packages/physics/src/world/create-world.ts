@@ -224,7 +224,6 @@ function initialInternals(components: Components) {
     breaksSprings: false,
     isTrial: false,
     lastId: 0,
-    highestId: 0,
     warned: new Set(),
     reviewed: { plan: undefined, membership: -1, stepsAgo: 0 },
     rangesVersion: -1,

@@ -393,8 +393,6 @@ export interface WorldInternals {
   readonly bodyList: { readonly ids: Uint32Array; count: number };
   /** The value of `world.lastId`. */
   lastId: number;
-  /** The largest it ever was: user code may have written to rows up to there. */
-  highestId: number;
   rangesVersion: number;
   /** Whether `world.ranges` leave out what waits to be a particle, as they do after the phase `emit`. */
   leavesOutWaiting: boolean;
