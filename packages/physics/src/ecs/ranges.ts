@@ -71,6 +71,7 @@ export interface BodyList {
  */
 export function bodies(world: PhysicsWorld): BodyList {
   assertUsable(world);
-  refreshRanges(world);
+  // In a step the list is current, and `world.ranges` must stay as they are: a force or a system may walk them as it asks.
+  if (world.state !== 'stepping') refreshRanges(world);
   return world.internal.bodyList;
 }

@@ -3,8 +3,12 @@ import { addComponent, removeComponent } from 'bitecs';
 import { describe, expect, it } from 'vitest';
 import { spawn } from '../bodies/spawn.ts';
 import { stateHash } from '../diagnostics/hash.ts';
+import { bodies } from '../ecs/ranges.ts';
 import { quadraticDrag } from '../forces/drag.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
+import { defineForce } from '../laws/force.ts';
+import { pairsWithin } from '../queries/pairs-within.ts';
+import { bodyAt } from '../queries/pick.ts';
 import { restore, snapshot } from '../snapshot/snapshot.ts';
 import { createPhysicsWorld } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
@@ -94,6 +98,41 @@ describe('what waits to be a particle', () => {
     const hash = run();
     restore(world, start);
     expect(run()).toBe(hash);
+  });
+
+  it('stays out while a force and a system ask for the bodies in the middle of a step', () => {
+    const world = createPhysicsWorld({ capacity: 10_000, precision: 'f64' });
+    const asks = (): void => {
+      expect(bodies(world).count).toBe(2002);
+      bodyAt(world, { x: 50 });
+      pairsWithin(world, 1);
+    };
+    // 1 N on each body from its own row: the answer must not depend on who was asked meanwhile.
+    const push = defineForce({
+      name: 'push',
+      equation: 'F = 1 N',
+      reads: ['Mass'],
+      local: true,
+      accumulate({ components: { Mass }, scratch }, first, last) {
+        asks();
+        for (let row = first; row < last; row++) if (Mass.value[row] > 0) scratch.force.x[row] += 1;
+      },
+    });
+    world.forces.push(push);
+    const visited = new Set<number>();
+    world.phases.events.push(
+      localSystem('look', (_, first, last) => {
+        asks();
+        for (let row = first; row < last; row++) visited.add(row);
+      }),
+    );
+    const low = spawn(world, { position: { x: -9 }, velocity: {}, mass: 1 });
+    createEmitter(world, { capacity: 2000 });
+    const high = spawn(world, { position: { x: 9 }, velocity: {}, mass: 1 });
+    for (let i = 0; i < 64; i++) step(world, DT);
+    const { Velocity } = world.components;
+    expect([Velocity.x[low], Velocity.x[high]]).toEqual([1, 1]);
+    expect([visited.has(low), visited.has(high)]).toEqual([true, true]);
   });
 
   it('moves again when the pool gave it up', () => {
