@@ -115,7 +115,8 @@ export function closeRow(world: PhysicsWorld, eid: number, name: ComponentName):
   const columns: Columns = world.components[name];
   for (const field of Object.keys(columns)) columns[field][eid] = 0;
   if (name in world.previous) teleport(world, eid);
-  if (name === 'Position') internal.generations[eid]++;
+  // The planes of boxWalls are known by their generations, too; that of a body ends with its Position alone.
+  if (name === 'Position' || (name === 'PlaneWall' && !isOpen(world, eid, 'Position'))) internal.generations[eid]++;
   if (!isRowUsed(world, eid)) {
     cleanRow(world, eid);
     if (eid === world.lastId) lowerLastId(world);

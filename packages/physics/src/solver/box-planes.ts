@@ -17,9 +17,11 @@ interface BoxPlanes {
   values: number[];
   readonly wanted: number[];
   ids: number[];
+  /** Of the rows of these ids: an id whose plane was despawned may be that of another wall. */
+  generations: number[];
 }
 
-const boxPlanes = namedResource('box planes', (): BoxPlanes => ({ values: [], wanted: [], ids: [] }));
+const boxPlanes = namedResource('box planes', (): BoxPlanes => ({ values: [], wanted: [], ids: [], generations: [] }));
 
 /**
  * Makes the planes of all boxes of the world, or changes them.
@@ -30,23 +32,33 @@ export function refreshBoxes(world: PhysicsWorld): void {
   const { wanted, ids } = planes;
   const count = listPlanes(world, wanted);
   if (count === ids.length && isCurrent(world, planes)) return;
+  const left = ids.filter((_, i) => isThere(world, planes, i));
   planes.ids = [];
+  planes.generations = [];
   planes.values = [];
-  for (const id of ids) if (isOpen(world, id, 'PlaneWall')) despawn(world, id);
+  for (const id of left) despawn(world, id);
   for (let i = 0; i < PLANE_SIZE * count; i += PLANE_SIZE) {
     const [nx, ny, offset, restitution, friction] = wanted.slice(i, i + PLANE_SIZE);
     const id = spawn(world, { planeWall: { nx, ny, offset, restitution, friction: Math.max(friction, 0) } });
     // Of a box without a coefficient of its own the body's is that of the contact.
     world.components.PlaneWall.friction[id] = friction;
     planes.ids.push(id);
+    planes.generations.push(world.internal.generations[id]);
   }
   planes.values = wanted.slice(0, PLANE_SIZE * count);
 }
 
-function isCurrent(world: PhysicsWorld, { values, wanted, ids }: BoxPlanes): boolean {
+function isCurrent(world: PhysicsWorld, planes: BoxPlanes): boolean {
+  const { values, wanted, ids } = planes;
   for (let i = 0; i < values.length; i++) if (values[i] !== wanted[i]) return false;
-  for (let i = 0; i < ids.length; i++) if (!isOpen(world, ids[i], 'PlaneWall')) return false;
+  for (let i = 0; i < ids.length; i++) if (!isThere(world, planes, i)) return false;
   return true;
+}
+
+/** Whether the plane at this index of the list is still the one that was made. */
+function isThere(world: PhysicsWorld, { ids, generations }: BoxPlanes, index: number): boolean {
+  const id = ids[index];
+  return isOpen(world, id, 'PlaneWall') && world.internal.generations[id] === generations[index];
 }
 
 /**

@@ -9,12 +9,14 @@ import {
   energy,
   isAsleep,
   polygon,
+  replaceBoxWalls,
   restore,
   snapshot,
   spawn,
   stateHash,
   step,
 } from '@principia/physics';
+import { query } from 'bitecs';
 import { describe, expect, it, test } from 'vitest';
 import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
@@ -191,4 +193,27 @@ test('what is a wall and a body at once is refused, and a wall of numbers that a
   expect(Number.isFinite(world.components.Position.y[ball])).toBe(true);
   const full = rigidWorld({ capacity: 2, walls: [boxWalls({ min: { x: -1, y: -1 }, max: { x: 1, y: 1 } })] });
   expect(() => step(full, DT)).toThrow(expect.objectContaining({ code: 'E_CAPACITY' }));
+});
+
+test('a box makes a wall anew that was despawned, and leaves the wall alone that took its id', () => {
+  const world = rigidWorld({ walls: [boxWalls({ min: { x: -5, y: 0 } })], capacity: 20 });
+  const ball = spawn(world, { position: { y: 0.5 }, collider: { radius: 0.5, density: 1 } });
+  run(world, 1);
+  const { PlaneWall, Position } = world.components;
+  const floor = [...query(world, [PlaneWall])].find((id) => PlaneWall.ny[id] === 1) as number;
+  despawn(world, floor);
+  const mine = spawn(world, { planeWall: { nx: 1, ny: 0, offset: -100 } });
+  expect(mine).toBe(floor);
+  const taken = snapshot(world);
+  const hashes = [0, 1].map(() => {
+    restore(world, taken);
+    run(world, 1);
+    expect(Math.abs(Position.y[ball] - 0.5)).toBeLessThan(0.006);
+    replaceBoxWalls(world, { min: { x: -6, y: 0 } });
+    step(world, DT);
+    expect(query(world, [PlaneWall])).toHaveLength(3);
+    expect(PlaneWall.offset[mine]).toBe(-100);
+    return stateHash(world);
+  });
+  expect(hashes[0]).toBe(hashes[1]);
 });

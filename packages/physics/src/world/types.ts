@@ -336,7 +336,7 @@ export interface WorldInternals {
   readonly membersAt: number;
   readonly moreMembers: Uint32Array;
   readonly moreMembersAt: number;
-  /** Generation of each row. */
+  /** Generation of each row: of its body, or of its plane. */
   readonly generations: Uint32Array;
   /** Added to generations in references, different in every world until it takes the state of another. */
   firstGeneration: number;
