@@ -43,8 +43,7 @@ export function springs(): Force {
     accumulate(world) {
       if (world.internal.counts.Spring === 0 || world.integrator.solvesSprings === true) return;
       const { x, y, z } = world.scratch.at.force;
-      // Between steps, where forces are only read, nothing has looked for springs.
-      const { at } = world.state === 'idle' ? scanSprings(world) : springTable(world);
+      const { at } = springsOfNow(world);
       if (world.dimensions === 2) world.kernels.springForces2d(at, x, y);
       else world.kernels.springForces3d(at, x, y, z);
     },
@@ -56,13 +55,27 @@ export function springs(): Force {
 }
 
 /**
+ * Between steps, where forces are only read, nothing has looked for springs; and in a step a force that was prepared after this
+ * one may have removed bodies.
+ */
+function springsOfNow(world: PhysicsWorld): SpringTable {
+  const table = springTable(world);
+  const isListed = world.state !== 'idle' && table.entityList.version === world.versions.membership;
+  return isListed ? table : scanSprings(world);
+}
+
+const NONE: readonly number[] = Object.freeze([]);
+
+/**
  * Returns the springs that were removed before the last step because one of their bodies is gone. Their entity ids
  * are free.
  * @throws PhysicsError E_DESTROYED
  */
 export function removedSprings(world: PhysicsWorld): readonly number[] {
   assertUsable(world);
-  return springTable(world).removed;
+  const { removed, removedIn } = springTable(world);
+  const isInStep = world.state === 'preparing' || world.state === 'stepping';
+  return removedIn === (isInStep ? world.tick : world.tick - 1) ? removed : NONE;
 }
 
 /** Tests the two maxima first; only if they fail together is every spring tested. */

@@ -111,7 +111,10 @@ export interface EndedJoints {
   readonly removed: readonly number[];
 }
 
-export const endedOf = namedResource('ended joints', () => ({ broken: [] as number[], removed: [] as number[] }));
+/** `removedIn` is the step before which those of `removed` went: `world.tick` of then. */
+export const endedOf = namedResource('ended joints', () => {
+  return { broken: [] as number[], removed: [] as number[], removedIn: -1 };
+});
 
 /** Takes memory for each row: a joint may be any entity. @throws PhysicsError E_CAPACITY */
 export const jointTable = namedResource('joint table', (world): JointTable => {
@@ -170,8 +173,10 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
  * @throws PhysicsError E_CAPACITY
  */
 export function refreshJoints(world: PhysicsWorld): void {
-  const { removed } = endedOf(world);
-  if (removed.length > 0) removed.length = 0;
+  const ended = endedOf(world);
+  const { removed } = ended;
+  // Nobody has heard of those that were removed before a step that was refused.
+  if (removed.length > 0 && ended.removedIn !== world.tick) removed.length = 0;
   // When the last joint has gone, its bodies wake and collide again.
   const { words: rigid } = rigidTable(world);
   const hadJoints = rigid[RigidWord.jointPairCount] > 0 || rigid[RigidWord.linkCount] > 0;
@@ -179,8 +184,11 @@ export function refreshJoints(world: PhysicsWorld): void {
   const table = jointTable(world);
   const { words } = table;
   if (!listJoints(world, table) || words[Word.orphanCount] === 0) return;
-  removed.push(...new Uint32Array(world.memory.buffer, words[Word.orphans], words[Word.orphanCount]));
-  removeJoints(world, removed);
+  const ids = Array.from(new Uint32Array(world.memory.buffer, words[Word.orphans], words[Word.orphanCount]));
+  removed.push(...ids);
+  removed.sort((a, b) => a - b);
+  ended.removedIn = world.tick;
+  removeJoints(world, ids);
   listJoints(world, table);
 }
 

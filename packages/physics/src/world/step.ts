@@ -29,7 +29,7 @@ const DT_BOUNDS = { min: MIN_DT, max: MAX_DT };
  * Exceptions of a user's force, system or handler are collected; the step completes, edits made during it take effect,
  * and then one AggregateError carries the exceptions. `step(world, 0)` does nothing.
  * @throws PhysicsError E_TYPE (also for an invalid force, system or integrator), E_NONFINITE, E_RANGE (dt),
- *   E_REENTRANT, E_DESTROYED: the world is unchanged
+ *   E_REENTRANT, E_DESTROYED: the world is unchanged, but joints and springs that had lost a body may be gone
  * @throws AggregateError of the exceptions of user code, and of faults if `world.onFault` is 'throw'
  */
 export function step(world: PhysicsWorld, dt: number): void {

@@ -70,16 +70,34 @@ export const constraintTable = namedResource('constraint table', (world): Constr
 export function refreshConstraints(world: PhysicsWorld, h: number): ConstraintTable {
   const table = constraintTable(world);
   const kernels = constraintKernels(world);
-  const springs = springTable(world);
-  if (springs.removed.length > 0) springs.removed = [];
   if (table.version === world.versions.membership && kernels.readConstraints(table.at, MOVABLE, h) === 1) return table;
   removeDanglingSprings(world, scanSprings(world));
+  arrange(world, table, h);
+  table.version = world.versions.membership;
+  return table;
+}
+
+/**
+ * The table at the start of a step, after the forces were prepared: one of them may have removed bodies. Springs that lost an end pull
+ * no more, and the next `refreshConstraints` removes them.
+ * @throws PhysicsError E_CAPACITY
+ */
+export function currentConstraints(world: PhysicsWorld, h: number): ConstraintTable {
+  const table = constraintTable(world);
+  if (table.version === world.versions.membership) return table;
+  scanSprings(world);
+  arrange(world, table, h);
+  table.version = -1;
+  return table;
+}
+
+/** Assigns the rows of all springs that were listed. @throws PhysicsError E_CAPACITY */
+function arrange(world: PhysicsWorld, table: ConstraintTable, h: number): void {
+  const kernels = constraintKernels(world);
   allocateRows(world, table);
   allocateScratch(world, table, kernels.arrangeConstraints(table.at, MOVABLE, world.lastId));
   kernels.readConstraints(table.at, MOVABLE, h);
-  table.version = world.versions.membership;
   table.substep[0] = 0;
-  return table;
 }
 
 /** Allocates rows for all springs, and the list of broken springs. @throws PhysicsError E_CAPACITY */

@@ -41,7 +41,7 @@ import { quarantineBadForces } from '../dynamics/validate-state.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
-import { type ConstraintTable, constraintTable, refreshConstraints } from './constraint-table.ts';
+import { type ConstraintTable, constraintTable, currentConstraints, refreshConstraints } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
 export interface XpbdOptions {
@@ -76,7 +76,7 @@ export function xpbd(options: XpbdOptions = {}): Integrator {
     },
     advance(world, ranges, dt, evaluateForces) {
       const h = dt / substeps;
-      const table = world.internal.counts.Spring > 0 ? constraintTable(world) : undefined;
+      const table = world.internal.counts.Spring > 0 ? currentConstraints(world, h) : undefined;
       if (table !== undefined && table.words[Word.onlyRodChains] === 0 && table.words[Word.freeBodyCount] === 0) {
         for (let s = 0; s < substeps; s++) moveNodes(world, ranges, table, h, iterations, evaluateForces, s * h);
         return;

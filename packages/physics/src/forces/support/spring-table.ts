@@ -18,8 +18,9 @@ export interface SpringTable {
   /** The values of `maxima` and the step, s, with which the integrator `passedBy` was last stable. */
   readonly passed: Float64Array;
   passedBy: object | undefined;
-  /** The springs removed before the last step because they lost an end. */
+  /** The springs removed because they lost an end, ascending, and the step before which they were: `world.tick` of then. */
   removed: number[];
+  removedIn: number;
 }
 
 export const springTable = namedResource('spring table', (world): SpringTable => {
@@ -31,7 +32,7 @@ export const springTable = namedResource('spring table', (world): SpringTable =>
   const maxima = numbers.subarray(SpringTableNumber.maxStiffness, SpringTableNumber.maxDamping + 1);
   world.internal.springTable = addressOf;
   const passed = new Float64Array(3).fill(Number.NaN);
-  return { at, words, maxima, passed, passedBy: undefined, removed: [], entityList: emptyEntityList() };
+  return { at, words, maxima, passed, passedBy: undefined, removed: [], removedIn: -1, entityList: emptyEntityList() };
 });
 
 /** A snapshot may drop the record: it is then made anew. */
@@ -58,10 +59,13 @@ export function scanSprings(world: PhysicsWorld): SpringTable {
 /** Removes the springs that lost an end, with their entities. */
 export function removeDanglingSprings(world: PhysicsWorld, table: SpringTable): void {
   const count = table.words[Word.danglingCount];
-  if (count === 0 && table.removed.length === 0) return;
-  const ids = new Uint32Array(world.memory.buffer, table.words[Word.dangling], count);
-  table.removed = Array.from(ids);
-  for (const spring of table.removed) {
+  if (count === 0) return;
+  const ids = Array.from(new Uint32Array(world.memory.buffer, table.words[Word.dangling], count));
+  // Nobody has heard of those that were removed before a step that was refused.
+  const unheard = table.removedIn === world.tick ? table.removed : [];
+  table.removed = [...unheard, ...ids].sort((a, b) => a - b);
+  table.removedIn = world.tick;
+  for (const spring of ids) {
     try {
       removeEntityCompletely(world, spring);
     } catch (error) {
