@@ -3,8 +3,10 @@ import {
   box,
   createJoint,
   despawn,
+  gear,
   type PhysicsWorld,
   partsOf,
+  prismatic,
   revolute,
   setCompoundDensity,
   setShape,
@@ -105,6 +107,25 @@ test('the joints of a cut compound stay where they are', () => {
   expect(Position.y[body] + s * Joint.bx[joint] + c * Joint.by[joint]).toBeCloseTo(anchor.y, 12);
   step(world, DT);
   expect(Math.abs(Position.x[parts[3]] - anchor.x)).toBeLessThan(1e-9);
+});
+
+test.each(['f32', 'f64'] as const)('the pinion of a rack that is cut does not turn, in %s', (precision) => {
+  const world = rigidWorld({ forces: [], precision });
+  const pinion = spawn(world, { position: { y: 5 }, collider: { radius: 1, density: 1 } });
+  createJoint(world, revolute({ b: pinion, anchor: { y: 5 } }));
+  const { body, parts } = spawnCompound(world, { position: { x: 3 }, rotation: 1, parts: blocks(L) });
+  createJoint(world, prismatic({ b: body, anchor: { x: 3 }, axis: { x: 0.6, y: 0.8 } }));
+  createJoint(world, gear({ a: pinion, b: body, ratio: 1, axis: { x: 0.6, y: 0.8 } }));
+  step(world, DT);
+  despawn(world, parts[0]);
+  setCompoundDensity(world, body, DENSITY);
+  const { Position, Rotation } = world.components;
+  const { x } = motionOf(world, body, parts[3]);
+  run(world, 1);
+  // Rounding of coordinates of some metres.
+  const tolerance = precision === 'f32' ? 1e-5 : 1e-12;
+  expect(Math.abs(Rotation.angle[pinion])).toBeLessThan(tolerance);
+  expect(Math.abs(Position.x[parts[3]] - x)).toBeLessThan(tolerance);
 });
 
 test('densities may differ, shapes may have changed, and a body that does not turn stays so', () => {

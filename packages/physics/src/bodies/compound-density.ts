@@ -39,9 +39,9 @@ export function setCompoundDensity(
   if (sum.mass === 0) throw withoutMass(body, parts.length);
   Mass.value[body] = sum.mass;
   if (Inertia.value[body] > 0) Inertia.value[body] = sum.inertia;
-  moveCentre(world, body, sum.x, sum.y);
+  const shift = moveCentre(world, body, sum.x, sum.y);
   for (const part of parts) [x[part], y[part]] = [x[part] - sum.x, y[part] - sum.y];
-  shiftJoints(world, body, sum.x, sum.y);
+  shiftJoints(world, body, sum, shift);
 }
 
 function withoutMass(body: number, parts: number): PhysicsError {
@@ -63,8 +63,13 @@ function massPart(world: PhysicsWorld, part: number, density: unknown): MassPart
   return { x: Attachment.x[part], y: Attachment.y[part], mass: checked * area, inertiaPerMass };
 }
 
-/** @param x, y the new centre, in the frame of the body */
-function moveCentre(world: PhysicsWorld, body: number, x: number, y: number): void {
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Returns how far the centre moves in the world, m. @param x, y the new centre, in the frame of the body */
+function moveCentre(world: PhysicsWorld, body: number, x: number, y: number): Point {
   const { Position, Rotation, Velocity, AngularVelocity } = world.components;
   const [c, s] = [cos(Rotation.angle[body]), sin(Rotation.angle[body])];
   const [dx, dy] = [c * x - s * y, s * x + c * y];
@@ -73,15 +78,21 @@ function moveCentre(world: PhysicsWorld, body: number, x: number, y: number): vo
   Velocity.x[body] -= AngularVelocity.z[body] * dy;
   Velocity.y[body] += AngularVelocity.z[body] * dx;
   teleport(world, body);
+  return { x: dx, y: dy };
 }
 
-/** Anchors are in the frame of the body, whose origin is its centre of mass. */
-function shiftJoints(world: PhysicsWorld, body: number, x: number, y: number): void {
+/**
+ * Anchors are in the frame of the body, whose origin is its centre of mass; a rack is where its centre is along its axis.
+ * @param centre of the body in its frame @param shift of the centre in the world
+ */
+function shiftJoints(world: PhysicsWorld, body: number, centre: Point, shift: Point): void {
   if (world.internal.counts.Joint === 0) return;
-  const { a, b, ax, ay, bx, by } = world.components.Joint;
+  const { a, b, ax, ay, bx, by, isRack, angle, axis } = world.components.Joint;
   for (let id = 1; id <= world.lastId; id++) {
     if (!isOpen(world, id, 'Joint')) continue;
-    if (a[id] === body) [ax[id], ay[id]] = [ax[id] - x, ay[id] - y];
-    if (b[id] === body) [bx[id], by[id]] = [bx[id] - x, by[id] - y];
+    if (a[id] === body) [ax[id], ay[id]] = [ax[id] - centre.x, ay[id] - centre.y];
+    if (b[id] !== body) continue;
+    [bx[id], by[id]] = [bx[id] - centre.x, by[id] - centre.y];
+    if (isRack[id] === 1) angle[id] += cos(axis[id]) * shift.x + sin(axis[id]) * shift.y;
   }
 }
