@@ -2,13 +2,17 @@
 import { addComponent, removeComponent, removeEntity, set } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import {
+  applyImpulse,
+  bodyOf,
   box,
+  createJoint,
   createPhysicsWorld,
   despawn,
   isBody,
   type PhysicsWorld,
   partsOf,
   restore,
+  revolute,
   rigidBodies,
   snapshot,
   spawn,
@@ -100,5 +104,17 @@ describe('parts of a body are', () => {
     removeEntity(world, body);
     step(world, 1 / 60);
     expect([...parts, ...rest.parts].map((id) => isBody(world, id))).toEqual([false, false, false, true, true]);
+  });
+
+  test('of no other body that takes the id of theirs', () => {
+    const world = make();
+    const { body, parts } = compound(world, 2);
+    removeEntity(world, body);
+    const other = spawn(world, { position: { x: 100 }, mass: 1, collider: { radius: 0.5 } });
+    expect(other).toBe(body);
+    expect(() => bodyOf(world, parts[0])).toThrow(/E_STALE: part .* has lost its body/);
+    expect(() => applyImpulse(world, parts[0], { x: 7 })).toThrow(/E_STALE/);
+    expect(() => createJoint(world, revolute({ b: parts[0], anchor: {} }))).toThrow(/E_STALE/);
+    expect(world.components.Velocity.x[other]).toBe(0);
   });
 });

@@ -1,7 +1,7 @@
 // Parts of compound bodies, as entities: which body a part belongs to, and their removal with it.
 import { notePartRemoved } from '#warnings';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
-import { assertBody } from '../ecs/entity-ref.ts';
+import { assertBody, staleError } from '../ecs/entity-ref.ts';
 import { isOpen, MAX_NEW_PARTS } from '../ecs/rows.ts';
 import { resource } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -17,11 +17,19 @@ export function hasLiveBody({ components, internal }: PhysicsWorld, part: number
 /**
  * Returns the body that an entity is a part of, or the entity itself when it is no part: what queries and contact events
  * name is the part.
- * @throws PhysicsError E_STALE, E_DESTROYED
+ * @throws PhysicsError E_STALE, also for a part whose body is gone, E_DESTROYED
  */
 export function bodyOf(world: PhysicsWorld, id: number): number {
   assertBody(world, id);
-  return isOpen(world, id, 'Attachment') ? world.components.Attachment.body[id] : id;
+  if (!isOpen(world, id, 'Attachment')) return id;
+  const body = world.components.Attachment.body[id];
+  // Another body may have its id.
+  if (hasLiveBody(world, id)) return body;
+  throw staleError(
+    id,
+    `part ${id} has lost its body ${body}.`,
+    'It goes with the next step: despawn(world, body) takes parts along.',
+  );
 }
 
 /**

@@ -1,12 +1,13 @@
 // The body behind a surface: how it moves, and whether it yields.
-import { bodyOf } from '../bodies/parts.ts';
+import { bodyOf, hasLiveBody } from '../bodies/parts.ts';
 import { isOpen } from '../ecs/rows.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { type Surface, type Vector2, ZERO } from './surface.ts';
 
-/** The body to which an entity belongs that queries name; 0 for a wall. */
+/** The body to which an entity belongs that queries name; 0 for a wall, and for a part whose body is gone. */
 export function bodyBehind(world: PhysicsWorld, id: number): number {
-  return id !== 0 && isOpen(world, id, 'Position') ? bodyOf(world, id) : 0;
+  if (id === 0 || !isOpen(world, id, 'Position')) return 0;
+  return isOpen(world, id, 'Attachment') && !hasLiveBody(world, id) ? 0 : bodyOf(world, id);
 }
 
 /** Velocity of the matter of a body, a part or a wall at a point, m/s: v + ω × (p - r). */
