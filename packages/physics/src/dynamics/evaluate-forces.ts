@@ -54,12 +54,10 @@ export function sumForces(world: PhysicsWorld, ranges: Ranges, time: number): vo
 /** Clears the columns and calls every force that is not a law. */
 function accumulateKernels(world: PhysicsWorld, ranges: Ranges, time: number): void {
   for (let r = 0; r < ranges.count; r++) clearForces(world, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
-  // A force that is added meanwhile waits for the next step: one that adds forces would never end.
-  const { forces } = world;
-  const count = forces.length;
-  for (let f = 0; f < count; f++) {
+  const forces = forcesOfStep(world);
+  for (let f = 0; f < forces.length; f++) {
     const each = forces[f];
-    if (each?.accumulate === undefined) continue;
+    if (each.accumulate === undefined) continue;
     if (!each.local) accumulateRows(world, each, 0, world.internal.sweptRows, time);
     else
       for (let r = 0; r < ranges.count; r++) {
@@ -85,18 +83,20 @@ export function accumulateRows(world: PhysicsWorld, force: Force, first: number,
   }
 }
 
-/** Returns whether any force of the world adds torque. */
-export function anyForceAppliesTorque({ forces }: PhysicsWorld): boolean {
-  for (let f = 0; f < forces.length; f++) if (forces[f].appliesTorque === true) return true;
-  return false;
-}
+/** The forces of a step are those with which it began: what is added or taken out meanwhile waits for the next. */
+const forcesOfStep = cachedWithPlan(({ forces }) => forces.slice());
+
+/** Returns whether any force of the world, or of the step that is running, adds torque. */
+export const anyForceAppliesTorque = cachedWithPlan((world) =>
+  forcesOfStep(world).some(({ appliesTorque }) => appliesTorque === true),
+);
 
 /**
  * Prepares every force for the step. Forces that consume fuel come last, so that nothing has been consumed if
  * another force throws and the step is rejected.
  */
 export function prepareForces(world: PhysicsWorld, dt: number): void {
-  const { forces } = world;
+  const forces = forcesOfStep(world);
   preparedFor(world).dt = dt;
   for (let f = 0; f < forces.length; f++) if (forces[f].consumes === undefined) forces[f].prepare?.(world, dt);
   for (let f = 0; f < forces.length; f++) if (forces[f].consumes !== undefined) forces[f].prepare?.(world, dt);

@@ -6,6 +6,7 @@ import {
   axial3,
   constantTorque,
   createPhysicsWorld,
+  defineForce,
   defineLaw,
   energy,
   type Force,
@@ -62,6 +63,39 @@ describe('in the plane', () => {
     body.run(1 / 64, 640);
     expect(body.spin().z).toBe(5);
     expect(body.angle()).toBe((0.5 * 10 * (10 + 1 / 64)) / 2);
+  });
+
+  test('a torque that is added or taken out in the middle of a step acts from the next step on', () => {
+    const body = turning(2, { angularVelocity: {} });
+    const { world } = body;
+    const inStep = (act: () => void) => {
+      world.phases.input[0] = act;
+      body.run(1 / 64, 1);
+      world.phases.input[0] = () => {};
+      return body.spin().z;
+    };
+    const kernel = (z: number) =>
+      defineForce({
+        name: 'torque',
+        equation: 'τ',
+        reads: [],
+        local: true,
+        appliesTorque: true,
+        accumulate: ({ scratch }, first, last) => {
+          for (let row = first; row < last; row++) scratch.torque.z[row] += z;
+        },
+      });
+    for (const torque of [(z: number) => constantTorque({ z }), kernel]) {
+      // 192 N m turn 3 kg m² by 1 rad/s more in each step.
+      const start = inStep(() => world.forces.push(torque(192)));
+      body.run(1 / 64, 1);
+      expect(body.spin().z).toBe(start + 1);
+      expect(inStep(() => world.forces.pop())).toBe(start + 2);
+      body.run(1 / 64, 1);
+      expect(inStep(() => world.forces.push(torque(0)))).toBe(start + 2);
+      world.forces.length = 0;
+    }
+    expect(body.spin().z).toBe(4);
   });
 
   test('a body without inertia ignores torque and keeps its spin', () => {
