@@ -240,10 +240,13 @@ describe('shapes of rigid bodies', () => {
     const control = crateWorld();
     const shape = box(0.2, 0.2);
     const ids = [spawnCompound(world, { position: { x: -20, y: 3 }, parts: [{ shape, density: 1 }] }).body];
-    for (let depth = 0; depth < 1000; depth++) {
-      const part = { position: { x: -20, y: 3 }, rotation: 0, collider: { shape } };
-      ids.push(spawn(world, { ...part, attachment: { body: ids[ids.length - 1] } }));
+    const part = { position: { x: -20, y: 3 }, rotation: 0, collider: { shape } };
+    for (let depth = 0; depth < 1000; depth++) ids.push(spawn(world, part));
+    // From the end of the chain, as a part is refused where a body is needed.
+    for (let depth = 1000; depth > 0; depth--) {
+      addComponent(world, ids[depth], set(world.components.Attachment, { body: ids[depth - 1] }));
     }
+    assertRefused(world, () => spawn(world, { ...part, attachment: { body: ids[1] } }), { code: 'E_RANGE' });
     const error = refusal(() => step(world, DT));
     expect(error.code).toBe('E_RANGE');
     expect(error.entity).toBe(ids[2]);

@@ -21,9 +21,11 @@ import {
   softStep,
   spawn,
   spawnCompound,
+  spawnMany,
   stateHash,
   step,
 } from '@principia/physics';
+import { addComponent, set } from 'bitecs';
 import { describe, expect, it, test } from 'vitest';
 import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
@@ -295,12 +297,16 @@ test('what cannot be a compound is refused, and nothing is made', () => {
   expect(() => spawnCompound(space, { parts: [part] })).toThrow(refused('E_RANGE'));
 });
 
-test('a part of a part, an incomplete part and a joint to a part refuse the step, with the way out', () => {
+test('a part of a part, an incomplete part and a joint to a part are refused by the step, with the way out', () => {
   const world = rigidWorld();
   const { body, parts } = spawnCompound(world, { parts: [{ radius: 0.5, density: 1 }] });
-  const stray = spawn(world, { position: {}, rotation: 0, collider: 0.5, attachment: { body: parts[0] } });
+  const stray = { position: {}, rotation: 0, collider: 0.5 } as const;
+  const [upper, lower] = [spawn(world, stray), spawn(world, stray)];
+  // Neither body is a part when another is attached to it, but in the end one is.
+  addComponent(world, upper, set(world.components.Attachment, { body: lower }));
+  addComponent(world, lower, set(world.components.Attachment, { body }));
   expect(() => step(world, DT)).toThrow(/part itself/);
-  despawn(world, stray);
+  for (const id of [upper, lower]) despawn(world, id);
   const blank = spawn(world, { position: {}, attachment: { body } });
   expect(() => step(world, DT)).toThrow(/has no Rotation/);
   despawn(world, blank);
@@ -312,4 +318,28 @@ test('a part of a part, an incomplete part and a joint to a part refuse the step
   despawn(world, joint);
   step(world, DT);
   expect(() => spawn(world, { attachment: { body: 99 } })).toThrow(refused('E_STALE'));
+});
+
+test('no part is accepted where a component needs a body, and its parts know a body with an id that was used before', () => {
+  const world = rigidWorld();
+  despawn(world, spawn(world, { position: {} }));
+  const { body, parts } = spawnCompound(world, { parts: [-1, 1].map((x) => ({ x, radius: 0.5, density: 1 })) });
+  const { Attachment, Joint } = world.components;
+  const collider = { position: {}, rotation: {}, collider: { radius: 0.5 } };
+  spawnMany(world, 2, { ...collider, attachment: { body } });
+  step(world, DT);
+  expect(partsOf(world, body)).toHaveLength(4);
+  const joint = createJoint(world, revolute({ b: body, anchor: {} }));
+  const attempts = [
+    () => addComponent(world, parts[1], set(Attachment, { body: parts[0] })),
+    () => addComponent(world, parts[1], set(Attachment, { body: parts[1] })),
+    () => spawn(world, { position: {}, rotation: 0, collider: 0.5, attachment: { body: parts[0] } }),
+    () => spawn(world, { position: {}, rotation: 0, collider: 0.5, attachment: {} }),
+    () => spawnMany(world, 2, { ...collider, attachment: { body: [body, parts[0]] } }),
+    () => addComponent(world, joint, set(Joint, { b: parts[0] })),
+  ];
+  for (const attempt of attempts) expect(attempt).toThrow(refused('E_RANGE'));
+  expect([Attachment.body[parts[1]], Joint.b[joint]]).toEqual([body, body]);
+  step(world, DT);
+  expect(partsOf(world, body)).toHaveLength(4);
 });

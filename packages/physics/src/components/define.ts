@@ -23,6 +23,8 @@ export interface FieldSpec<Kind extends 'real' | 'u32' = 'real' | 'u32'> {
   readonly isFlag?: boolean | undefined;
   /** For the id of a body: the name of the field with the generation of that body. Default none: it is no reference. */
   readonly generationField?: string | undefined;
+  /** Whether a part of a compound body is refused in place of a body. Default false. */
+  readonly refusesParts?: boolean | undefined;
 }
 
 /** A component: its fields, and the field set by a plain number. `COMPONENTS` names it. */
@@ -72,8 +74,8 @@ export function flag(): FlagSpec {
 }
 
 /** A field with the id of a body. The field `generationField` stores its generation, because ids are reused. */
-export function bodyId(generationField: string): FieldSpec<'u32'> {
-  return { ...u32('id', { bounds: { min: 1 } }), generationField };
+export function bodyId(generationField: string, refusesParts = false): FieldSpec<'u32'> {
+  return { ...u32('id', { bounds: { min: 1 } }), generationField, refusesParts };
 }
 
 /**

@@ -27,8 +27,8 @@ export const Joint = defineComponent({
     /** 0 revolute, 1 distance, 2 weld, 3 prismatic, 4 wheel, 5 motor, 6 pulley, 7 gear, 8 filter. */
     kind: u32('', { bounds: { max: JOINT_KINDS.length - 1 } }),
     /** The bodies it joins, by id; a is 0 where b is joined to the world. */
-    a: bodyId('aGeneration'),
-    b: bodyId('bGeneration'),
+    a: bodyId('aGeneration', true),
+    b: bodyId('bGeneration', true),
     /** Which life of those ids is meant; filled in by the engine. */
     aGeneration: u32(''),
     bGeneration: u32(''),

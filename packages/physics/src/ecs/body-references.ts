@@ -25,6 +25,20 @@ export function checkBodyId(space: WorldView, name: string, id: number, entity: 
   });
 }
 
+/**
+ * Refuses a part of a compound body where a body is needed.
+ * @throws PhysicsError E_RANGE
+ */
+export function checkNoPart(space: WorldView, name: string, id: number, entity: number | undefined): void {
+  if (!hasComponent(space as PhysicsWorld, id, space.components.Attachment)) return;
+  throw new PhysicsError('E_RANGE', `${name} refers to ${id}, which is a part of a compound body.`, {
+    entity,
+    field: name,
+    value: id,
+    hint: 'Name the body: bodyOf(world, part) is its id.',
+  });
+}
+
 /** Writes to `values` the generation of every body that `given` refers to. */
 export function recordGenerations(
   space: WorldView,

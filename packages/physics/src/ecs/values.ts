@@ -4,7 +4,7 @@ import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkNumber, isRecord, mustBe, unknownName } from '../errors/validate.ts';
 import type { FieldValues } from '../world/types.ts';
-import { checkBodyId, recordGenerations, type WorldView } from './body-references.ts';
+import { checkBodyId, checkNoPart, recordGenerations, type WorldView } from './body-references.ts';
 
 /**
  * Validates the given values one by one; omitted fields stay omitted.
@@ -73,6 +73,7 @@ export function checkField(space: WorldView, spec: FieldSpec, name: string, valu
   const given = spec.isFlag === true && typeof value === 'boolean' ? Number(value) : value;
   const checked = checkNumber(given, name, spec.bounds, entity, spec.hint);
   if (spec.generationField !== undefined) checkBodyId(space, name, checked, entity);
+  if (spec.refusesParts === true) checkNoPart(space, name, checked, entity);
   if (checked !== 0 && spec.spatial === true && space.dimensions === 2) {
     throw new PhysicsError('E_RANGE', `${name} must be 0 in a 2D world, got ${checked}.`, {
       entity,
