@@ -101,8 +101,8 @@ function reportProgress(world: PhysicsWorld, progress: Progress, created: number
   });
 }
 
-/** Undoes a creation that an exception of user code interrupted. */
-function undoSpawn(world: PhysicsWorld, ids: Uint32Array): void {
+/** Undoes a creation that an exception interrupted. */
+export function undoSpawn(world: PhysicsWorld, ids: Uint32Array): void {
   if (world.state === 'destroyed') return;
   for (const eid of ids) {
     try {

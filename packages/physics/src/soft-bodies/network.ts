@@ -1,6 +1,6 @@
 // Networks of springs: nodes that are bodies, springs between them, and the function that creates both.
 import type { ManyInput } from '../bodies/many.ts';
-import { spawnMany } from '../bodies/spawn-many.ts';
+import { spawnMany, undoSpawn } from '../bodies/spawn-many.ts';
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertOutsideStep, assertUsable } from '../ecs/guards.ts';
 import { type Bounds, checkNumber, checkObject } from '../errors/validate.ts';
@@ -72,5 +72,10 @@ export function spawnNetwork(
   const toIds = (ends: readonly number[]) => Uint32Array.from(ends, (node) => nodes[node]);
   const { stiffness, length, tensionOnly } = list;
   const spring = { a: toIds(list.a), b: toIds(list.b), stiffness, length, tensionOnly, damping, breakForce };
-  return { nodes, springs: spawnMany(world, springs, { spring }) };
+  try {
+    return { nodes, springs: spawnMany(world, springs, { spring }) };
+  } catch (error) {
+    undoSpawn(world, nodes);
+    throw error;
+  }
 }

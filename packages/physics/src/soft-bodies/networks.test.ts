@@ -1,3 +1,4 @@
+import { observe, onAdd } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import { spawn } from '../bodies/spawn.ts';
 import { angularMomentum, energy, momentum } from '../diagnostics/energy.ts';
@@ -327,4 +328,20 @@ describe('input of cloths and springs', () => {
     expect([Spring.stiffness[spring], Spring.tensionOnly[spring], world.faults.faults.length]).toEqual([1e30, 1, 0]);
     expect(Position.y[b]).toBeCloseTo(-1, 12);
   });
+});
+
+test('what fails half way leaves nothing behind', () => {
+  const world = network();
+  const blob = { centre: {}, radius: 1, mass: 1, stiffness: 1, pressure: 0 };
+  // Springs as long as that are refused, as is more gas than there are numbers for, and a volume that rounds to 0.
+  expect(() => createSoftBody(world, { ...blob, radius: 1e14 })).toThrow(/E_RANGE/);
+  expect(() => createSoftBody(world, { ...blob, radius: 1e3, pressure: 1e30 })).toThrow(/E_RANGE/);
+  expect(() => createSoftBody(world, { ...blob, radius: 1e-200 })).toThrow(/E_RANGE/);
+  const ends = observe(world, onAdd(world.components.Spring), () => {
+    throw new Error('no springs here');
+  });
+  expect(() => createRope(world, { from: {}, to: { x: 1 }, nodes: 5, mass: 1 })).toThrow('no springs here');
+  ends();
+  expect([world.lastId, world.internal.counts.Position, world.internal.counts.Spring]).toEqual([0, 0, 0]);
+  expect(world.forces).toHaveLength(3);
 });

@@ -73,14 +73,15 @@ export function createSoftBody(world: PhysicsWorld, options: SoftBodyOptions): S
     y: coordinates(1, centre.y),
     z: flat ? centre.z : coordinates(2, centre.z),
   };
+  const size = enclosedVolume(skin, flat) * (flat ? radius * radius : radius * radius * radius);
+  const volume = checkNumber(size, 'softBody: its volume', { above: 0, max: 1e30 });
+  const amount = checkNumber((pressure + ambient) * volume, 'softBody: pressure times volume', { max: 1e30 });
   const list = edgeSprings(skin, flat ? 2 : 3, radius, stiffness);
   const { nodes, springs } = spawnNetwork(world, count, { position, mass: mass / count }, list, options);
   const faces = belongsTo(
     world,
     Uint32Array.from(skin.faces, (node) => nodes[node]),
   );
-  const volume = enclosedVolume(skin, flat) * (flat ? radius * radius : radius * radius * radius);
-  const amount = (pressure + ambient) * volume;
   const gas = enclosedGas({ faces, corners: flat ? 2 : 3, amount, ambient, reference: volume });
   world.forces.push(gas);
   return { nodes, springs, faces, gas };
