@@ -6,6 +6,7 @@ import { holdQuarantined } from '../dynamics/validate-state.ts';
 import { applyDeferredEdits } from '../ecs/deferred.ts';
 import { assertIdle } from '../ecs/guards.ts';
 import { findRows } from '../ecs/ranges.ts';
+import { collectThrown } from '../errors/collect-thrown.ts';
 import { checkNumber } from '../errors/validate.ts';
 import { destroyWorld } from './create-world.ts';
 import { hasHandlers, ignoredEvents } from './event-handlers.ts';
@@ -61,11 +62,20 @@ export function step(world: PhysicsWorld, dt: number): void {
   world.state = 'settling';
   applyDeferredEdits(world);
   world.state = 'idle';
-  review(world, plan, dt);
-  warnAboutColumns(world);
-  warnAboutFaults(world, hasHandlers(world, 'fault'));
+  warn(world, plan, dt);
   if (world.internal.ending) destroyWorld(world);
   throwStepErrors(world);
+}
+
+/** `onWarning` is user code: what it throws belongs to this step, which ends as it would otherwise. */
+function warn(world: PhysicsWorld, plan: Plan, dt: number): void {
+  try {
+    review(world, plan, dt);
+    warnAboutColumns(world);
+    warnAboutFaults(world, hasHandlers(world, 'fault'));
+  } catch (error) {
+    collectThrown(world, error);
+  }
 }
 
 /** Reviews go through all rows. Where bodies come and go in every step, they look at this many rows a step on average. */
