@@ -12,7 +12,7 @@ export interface RunnerOptions {
   /** Maximum simulated time per call of `advance`, s; default 0.25. Time beyond is dropped and counted. */
   readonly maxFrame?: number;
   /**
-   * Called after every step. The events of rigid bodies belong to the last step, and a frame may have none or several: read
+   * Called after every step, also one whose user code threw. The events of rigid bodies belong to the last step, and a frame may have none or several: read
    * them here. Default none.
    */
   readonly afterStep?: (world: PhysicsWorld) => void;
@@ -87,9 +87,8 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
       try {
         while (times[ACCUMULATED] >= threshold && world.state === 'idle') {
           times[ACCUMULATED] = Math.max(0, times[ACCUMULATED] - dt);
-          step(world, dt);
+          stepAndTell(world, dt, afterStep);
           steps++;
-          afterStep?.(world);
         }
       } finally {
         isAdvancing = false;
@@ -97,6 +96,28 @@ export function createRunner(world: PhysicsWorld, options: RunnerOptions = {}): 
       return steps;
     },
   };
+}
+
+/** A step whose user code threw is complete: `afterStep` hears of it before the exceptions go on. */
+function stepAndTell(world: PhysicsWorld, dt: number, afterStep: RunnerOptions['afterStep']): void {
+  const { tick } = world;
+  try {
+    step(world, dt);
+  } catch (error) {
+    if (world.tick !== tick && world.state === 'idle') tellOf(error, world, afterStep);
+    throw error;
+  }
+  afterStep?.(world);
+}
+
+/** @throws AggregateError of the exceptions of the step and of `afterStep`, if that throws */
+function tellOf(error: unknown, world: PhysicsWorld, afterStep: RunnerOptions['afterStep']): void {
+  try {
+    afterStep?.(world);
+  } catch (further) {
+    const errors = error instanceof AggregateError ? error.errors : [error];
+    throw new AggregateError([...errors, further], `${String(error)}; and in afterStep: ${String(further)}`);
+  }
 }
 
 function checkOptions(options: RunnerOptions) {
