@@ -39,6 +39,16 @@ export function checkNoPart(space: WorldView, name: string, id: number, entity: 
   });
 }
 
+/** The error about a column with the id of a body that holds none: a step reads its row. */
+export function noId(entity: number, field: string, value: number, capacity: number): PhysicsError {
+  return new PhysicsError('E_RANGE', `${field} of entity ${entity} is ${value}, and ids end at ${capacity}.`, {
+    entity,
+    field,
+    value,
+    hint: 'Write ids of bodies to its column, or set the component, which checks them.',
+  });
+}
+
 /** Writes to `values` the generation of every body that `given` refers to. */
 export function recordGenerations(
   space: WorldView,

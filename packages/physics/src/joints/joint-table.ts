@@ -4,6 +4,7 @@
 import { rigidKernels } from '../collision/kernels.ts';
 import { bitOf } from '../components/membership.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
+import { noId } from '../ecs/body-references.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { allocate } from '../memory/arena.ts';
@@ -170,7 +171,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
 
 /**
  * Brings the list of joints up to date. Joints of which a body was removed are removed too.
- * @throws PhysicsError E_CAPACITY
+ * @throws PhysicsError E_RANGE for an end that is no id, E_CAPACITY
  */
 export function refreshJoints(world: PhysicsWorld): void {
   const ended = endedOf(world);
@@ -195,11 +196,25 @@ export function refreshJoints(world: PhysicsWorld): void {
 function listJoints(world: PhysicsWorld, table: JointTable): boolean {
   const { entityList, words } = table;
   const isNew = refreshEntityList(world, entityList, 'Joint', 0);
+  checkEnds(world, entityList);
   if (!isNew && rigidKernels(world).hasNewCollisions(table.at) === 0) return false;
   words[Word.ids] = entityList.ids;
   words[Word.count] = entityList.count;
   rigidKernels(world).listJoints(table.at);
   return true;
+}
+
+/** The kernels read the rows of the ends, which user code may have written to the columns. @throws PhysicsError E_RANGE */
+function checkEnds({ memory, capacity, components: { Joint } }: PhysicsWorld, list: EntityList): void {
+  const { a, b } = Joint;
+  const ids = new Uint32Array(memory.buffer, list.ids, list.count);
+  for (let i = 0; i < ids.length; i++) {
+    const id = ids[i];
+    if (a[id] <= capacity && b[id] <= capacity) continue;
+    // The next step lists and checks them again.
+    list.version = -1;
+    throw noId(id, a[id] > capacity ? 'joint.a' : 'joint.b', Math.max(a[id], b[id]), capacity);
+  }
 }
 
 function removeJoints(world: PhysicsWorld, ids: readonly number[]): void {

@@ -2,6 +2,7 @@
 import { hasLiveBody, removeOrphanedParts } from '../bodies/parts.ts';
 import { rigidKernels } from '../collision/kernels.ts';
 import { bitOf } from '../components/membership.ts';
+import { noId } from '../ecs/body-references.ts';
 import { type EntityList, emptyEntityList, refreshEntityList } from '../ecs/entity-list.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
@@ -18,15 +19,18 @@ const NEEDED = ['Position', 'Rotation', 'Collider'] as const;
 
 /**
  * Brings the list of parts up to date. Parts whose body was removed through bitECS are removed here.
- * @throws PhysicsError E_RANGE for a part of a part, a part without one of its components, and a joint to a part;
- *   E_CAPACITY
+ * @throws PhysicsError E_RANGE for a part of a part, a part without one of its components or of what is no id, and a joint to a
+ *   part; E_CAPACITY
  */
 export function refreshParts(world: PhysicsWorld): void {
   const { words } = rigidTable(world);
   const { internal } = world;
   if (internal.counts.Attachment === 0 && words[Word.partCount] === 0) return;
   const list = partList(world);
-  if (list.version === world.versions.membership) return;
+  if (list.version === world.versions.membership) {
+    checkBodies(world, list);
+    return;
+  }
   const { buffer } = world.memory;
   refreshEntityList(world, list, 'Attachment', 0);
   // A copy, because each that is removed changes the list.
@@ -53,6 +57,15 @@ export function placeParts(world: PhysicsWorld): void {
   if (world.internal.counts.Attachment === 0 || world.state !== 'idle' || !isSoftStep(world.integrator)) return;
   refreshParts(world);
   rigidKernels(world).writeParts(rigidTable(world).at, 1);
+}
+
+/** The kernels read the rows of the bodies, which user code may have written to the column. @throws PhysicsError E_RANGE */
+function checkBodies({ memory, capacity, components }: PhysicsWorld, { ids: at, count }: EntityList): void {
+  const { body } = components.Attachment;
+  const ids = new Uint32Array(memory.buffer, at, count);
+  for (let i = 0; i < count; i++) {
+    if (body[ids[i]] > capacity) throw noId(ids[i], 'attachment.body', body[ids[i]], capacity);
+  }
 }
 
 function checkPart(world: PhysicsWorld, part: number): void {
