@@ -155,8 +155,10 @@ describe('capacity', () => {
     const world = groundWorld({ capacity: 20 });
     ball(world, 0, 1, { x: 1 });
     steps(world, 100_000);
-    const { deferredEdits, thrown, stepFaults, leaving } = world.internal;
-    expect([deferredEdits.length, thrown.length, stepFaults.length, leaving.size]).toEqual([0, 0, 0, 0]);
+    const { edits, thrown, stepFaults } = world.internal;
+    const { deferred, pending, departed, leaving } = edits;
+    expect([deferred.length, thrown.length, stepFaults.length]).toEqual([0, 0, 0]);
+    expect([pending.size, departed.size, leaving.size]).toEqual([0, 0, 0]);
     expect([world.tick, world.faults.faults.length]).toEqual([100_000, 0]);
   });
 });

@@ -75,7 +75,7 @@ export function worldState(world: PhysicsWorld): unknown {
     tick: world.tick,
     state: world.state,
     faults: world.faults.faults.length + world.faults.droppedCount,
-    waiting: world.internal.deferredEdits.length,
+    waiting: world.internal.edits.deferred.length,
   };
 }
 

@@ -128,11 +128,11 @@ export function remove(world: PhysicsWorld, eid: number): void {
 }
 
 function despawnLater(world: PhysicsWorld, eid: number): void {
-  const { leaving, deferredEdits } = world.internal;
+  const { leaving, deferred } = world.internal.edits;
   const generation = generationOf(world, eid);
   if (leaving.get(eid) === generation) return;
   leaving.set(eid, generation as object);
-  deferredEdits.push(() => {
+  deferred.push(() => {
     if (generationOf(world, eid) === generation) removeWithParts(world, eid);
   });
 }

@@ -4,17 +4,17 @@ import type { PhysicsWorld } from '../world/types.ts';
 
 /** Applies the edits in the order of the calls. A failure of one does not stop the others. */
 export function applyDeferredEdits(world: PhysicsWorld): void {
-  const { deferredEdits, leaving, pendingValues, departed } = world.internal;
-  if (deferredEdits.length === 0) return;
-  for (let c = 0; c < deferredEdits.length; c++) {
+  const { deferred, leaving, pending, departed } = world.internal.edits;
+  if (deferred.length === 0) return;
+  for (let c = 0; c < deferred.length; c++) {
     try {
-      deferredEdits[c]();
+      deferred[c]();
     } catch (error) {
       collectThrown(world, error);
     }
   }
-  deferredEdits.length = 0;
+  deferred.length = 0;
   leaving.clear();
-  pendingValues.clear();
+  pending.clear();
   departed.clear();
 }

@@ -97,7 +97,7 @@ export function isBody(world: PhysicsWorld, eid: number): boolean {
 
 /** Whether a row has a body that bitECS has not removed in this step. */
 function isPresent(world: PhysicsWorld, eid: number): boolean {
-  return hasBody(world, eid) && !world.internal.departed.has(eid);
+  return hasBody(world, eid) && !world.internal.edits.departed.has(eid);
 }
 
 /** Whether a row has a body: one that was despawned moves on until the step ends. */

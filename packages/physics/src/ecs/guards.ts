@@ -33,7 +33,7 @@ export function assertPresetWorld(world: PhysicsWorld, preset: string): void {
 
 /** Applies an edit now or, during a step, at the end of the step, so that rows do not change while systems run. */
 export function whenIdle({ state, internal }: PhysicsWorld, edit: () => void): void {
-  if (state === 'stepping') internal.deferredEdits.push(edit);
+  if (state === 'stepping') internal.edits.deferred.push(edit);
   else edit();
 }
 

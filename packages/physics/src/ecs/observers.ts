@@ -108,6 +108,7 @@ function setTemplate(world: PhysicsWorld, eid: number, name: ComponentName, valu
 }
 
 function removed(world: PhysicsWorld, eid: number, name: ComponentName): void {
-  if (name === 'Position' && world.state === 'stepping') world.internal.departed.add(eid);
-  if (eid <= world.capacity) whenIdle(world, () => closeRow(world, eid, name));
+  if (eid > world.capacity) return;
+  if (name === 'Position' && world.state === 'stepping') world.internal.edits.departed.add(eid);
+  whenIdle(world, () => closeRow(world, eid, name));
 }

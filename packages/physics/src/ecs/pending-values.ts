@@ -7,16 +7,17 @@ const keyOf = (eid: number, name: ComponentName) => `${name} ${eid}`;
 
 /** The values that will be written to a component by then; undefined if there are none. */
 export function pendingValues({ internal }: PhysicsWorld, eid: number, name: ComponentName): FieldValues | undefined {
-  return internal.pendingValues.get(keyOf(eid, name));
+  return internal.edits.pending.get(keyOf(eid, name));
 }
 
 /** Notes values that are written when the step ends. */
 export function notePending(world: PhysicsWorld, eid: number, name: ComponentName, values: FieldValues): void {
   if (world.state !== 'stepping') return;
-  world.internal.pendingValues.set(keyOf(eid, name), { ...pendingValues(world, eid, name), ...values });
+  world.internal.edits.pending.set(keyOf(eid, name), { ...pendingValues(world, eid, name), ...values });
 }
 
 /** Forgets what was to be written to a component that has been added since. */
 export function forgetPending({ internal }: PhysicsWorld, eid: number, name: ComponentName): void {
-  if (internal.pendingValues.size > 0) internal.pendingValues.delete(keyOf(eid, name));
+  const { pending } = internal.edits;
+  if (pending.size > 0) pending.delete(keyOf(eid, name));
 }

@@ -56,7 +56,7 @@ export function enclosedGas(options: GasOptions): Force {
     local: false,
     readsOfOthers: [],
     prepare(world) {
-      if (areGone(world, faces.of(world), corners)) world.internal.deferredEdits.push(() => removeForce(world, gas));
+      if (areGone(world, faces.of(world), corners)) world.internal.edits.deferred.push(() => removeForce(world, gas));
     },
     releaseMemory: faces.release,
     memory: stateOfFaces(faces, corners),

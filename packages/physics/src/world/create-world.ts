@@ -21,6 +21,7 @@ import { createScratch, SCRATCH_COLUMNS } from '../memory/scratch.ts';
 import { wallListBytes } from '../memory/wall-list.ts';
 import { standard } from '../presets/standard.ts';
 import { checkForces, checkIntegrator, checkSystems } from './execution-plan.ts';
+import { noEdits } from './step-edits.ts';
 import { createPhases } from './systems.ts';
 import type { Force, Integrator, PhysicsWorld, Preset, System, Warning } from './types.ts';
 
@@ -202,10 +203,7 @@ function initialInternals(components: Components) {
   return {
     counts: zeros(),
     partialEntities: { immovable: 0, withoutPose: 0 },
-    deferredEdits: [],
-    pendingValues: new Map(),
-    departed: new Set(),
-    leaving: new Map(),
+    edits: noEdits(),
     thrown: [],
     thrownCount: 0,
     stepFaults: [],

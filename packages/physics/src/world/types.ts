@@ -10,6 +10,7 @@ import type { Arena } from '../memory/arena.ts';
 import type { Previous, PreviousAddresses } from '../memory/previous-pose.ts';
 import type { Scratch } from '../memory/scratch.ts';
 import type { Phase } from './phases.ts';
+import type { StepEdits } from './step-edits.ts';
 
 /** Writes the numbers of a parameter into a world's memory. */
 export interface ParameterSource {
@@ -347,14 +348,7 @@ export interface WorldInternals {
   readonly partialEntities: { immovable: number; withoutPose: number };
   /** Contacts with walls are recorded, for the contacts between bodies and for events. */
   recordsContacts: boolean;
-  /** Edits made during a step, deferred to its end. */
-  readonly deferredEdits: (() => void)[];
-  /** What these edits will write to components that are completed from the values that they have (ecs/pending-values.ts). */
-  readonly pendingValues: Map<string, FieldValues>;
-  /** Ids that lost Position through bitECS in this step: their rows still hold the body that is gone. */
-  readonly departed: Set<number>;
-  /** Entities removed at the end of this step, and an object of each that identifies its generation. */
-  readonly leaving: Map<number, object>;
+  readonly edits: StepEdits;
   /** The first exceptions of user code in this step, and their total count. */
   readonly thrown: unknown[];
   thrownCount: number;

@@ -22,7 +22,7 @@ export function removeEntityCompletely(world: PhysicsWorld, eid: number): void {
 
 /** Returns whether the entity of this generation is removed at the end of the present step. */
 export function isLeaving(world: PhysicsWorld, eid: number): boolean {
-  const leaving = world.internal.leaving.get(eid);
+  const leaving = world.internal.edits.leaving.get(eid);
   return leaving !== undefined && leaving === generationOf(world, eid);
 }
 
