@@ -64,6 +64,11 @@ export interface BodySource {
   readonly count: number;
   /** Highest id in `ids` (zero when empty): rows above it need no upload. */
   readonly lastId: number;
+  /**
+   * By id, a number that changes when its body is removed, as the next one has the same id; `membership` counts that too.
+   * Default none: a body that took an id between two pictures is taken for the former one.
+   */
+  readonly generations?: Uint32Array;
   readonly versions: {
     /** Incremented when any position, angle or orientation may have changed. */
     readonly pose: number;

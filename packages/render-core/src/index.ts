@@ -14,6 +14,7 @@ export {
   zoomAt,
 } from './camera-2d.ts';
 export { ColumnUpload, TEXTURE_WIDTH, textureRows } from './column-upload.ts';
+export { LivingBodies } from './living-bodies.ts';
 export { listenToPointers, type PointerControl, type PointerOptions } from './pointer.ts';
 export { PosePair, UploadedPoses } from './pose-pair.ts';
 export { ReleaseVelocity } from './release-velocity.ts';

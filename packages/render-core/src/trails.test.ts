@@ -1,7 +1,9 @@
+import { createPhysicsWorld, despawn, restore, snapshot, spawn, step } from '@principia/physics';
 import { describe, expect, it } from 'vitest';
 import { createTestBodySource } from '../../../test/support/body-source.ts';
 import { TEXTURE_WIDTH } from './column-upload.ts';
 import { TrailHistory } from './trails.ts';
+import { worldSource } from './world-source.ts';
 
 function sourceWith(ids: number[], dimensions: 2 | 3 = 2) {
   const source = createTestBodySource(2048, dimensions, 'f64');
@@ -91,5 +93,75 @@ describe('TrailHistory', () => {
     expect(() => new TrailHistory({ source, length: 1 })).toThrow(/at least 2, got 1/);
     expect(() => new TrailHistory({ source, length: 3, interval: 0 })).toThrow(/interval.*got 0/);
     expect(() => new TrailHistory({ source, length: 3, bodies: [1, 9999] })).toThrow(/bodies\[1\].*2047, got 9999/);
+  });
+});
+
+/** A world with two bodies, and the number of points that the trail in a slot has, at most 8. */
+function worldWithTrails(options: { listed?: boolean; interval?: number }) {
+  const world = createPhysicsWorld({ capacity: 10 });
+  const ids = [3, 5].map((x) => spawn(world, { position: { x }, velocity: { x: 1 } }));
+  const bodies = options.listed ? { bodies: ids } : {};
+  const { interval = 1 } = options;
+  const history = new TrailHistory({ source: worldSource(world), length: 8, interval, ...bodies });
+  const slots = options.listed ? [0, 1] : ids;
+  const points = () => slots.map((slot) => Math.min(8, Math.max(0, history.recordings - history.birth[slot])));
+  const play = (steps: number) => {
+    for (let i = 0; i < steps; i++) {
+      step(world, 1 / 60);
+      history.record();
+    }
+  };
+  return { world, ids, history, points, play };
+}
+
+describe('the trail of a body that is removed', () => {
+  it.each([{ interval: 1 }, { interval: 3 }])('ends with it, and comes back with it: $interval', ({ interval }) => {
+    const { world, ids, history, points, play } = worldWithTrails({ listed: true, interval });
+    play(3 * interval);
+    const before = snapshot(world);
+    expect(points()).toEqual([3, 3]);
+    despawn(world, ids[0]);
+    history.record();
+    expect(points()[0]).toBe(0);
+    play(2 * interval);
+    expect(points()[0]).toBe(0);
+    history.restart(ids[0]);
+    history.clear();
+    play(interval);
+    expect(points()).toEqual([0, 1]);
+    restore(world, before);
+    play(2 * interval);
+    expect(points()[0]).toBe(2);
+  });
+
+  it('does not pass to one that takes its id, whether or not a picture lies between', () => {
+    for (const pictures of [0, 1]) {
+      for (const listed of [false, true]) {
+        const { world, ids, points, history, play } = worldWithTrails({ listed });
+        play(3);
+        despawn(world, ids[0]);
+        for (let i = 0; i < pictures; i++) history.record();
+        expect(spawn(world, { position: { x: -6 }, velocity: {} })).toBe(ids[0]);
+        play(1);
+        // One of all bodies leaves a trail of its own; a list names bodies, and the new one is none of them.
+        expect(points()).toEqual([listed ? 0 : 1, 4 + pictures]);
+        play(2);
+        expect(points()).toEqual([listed ? 0 : 3, 6 + pictures]);
+      }
+    }
+  });
+
+  it('does not pass to one that takes its id between two points', () => {
+    const { world, ids, points, play } = worldWithTrails({ interval: 4 });
+    play(8);
+    expect(points()).toEqual([2, 2]);
+    despawn(world, ids[0]);
+    spawn(world, { position: { x: -6 }, velocity: {} });
+    play(1);
+    expect(points()).toEqual([1, 3]);
+    despawn(world, ids[0]);
+    spawn(world, { position: { x: 6 }, velocity: {} });
+    play(1);
+    expect(points()).toEqual([0, 3]);
   });
 });

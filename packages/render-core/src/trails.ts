@@ -1,5 +1,6 @@
 import type { BodySource, RealColumn } from './body-source.ts';
 import { TEXTURE_WIDTH } from './column-upload.ts';
+import { LivingBodies } from './living-bodies.ts';
 
 /** The source and size of a trail history. */
 export interface TrailOptions {
@@ -8,8 +9,8 @@ export interface TrailOptions {
   /** Points kept per body, at least 2. */
   length: number;
   /**
-   * Ids of the bodies with trails, fixed for the lifetime of the history. Default every body of the source, which
-   * takes `length * source.rows` points of memory.
+   * Ids of the bodies with trails, fixed for the lifetime of the history. A trail ends with its body: another one that
+   * takes the id has none. Default every body of the source, which takes `length * source.rows` points of memory.
    */
   bodies?: ArrayLike<number>;
   /** Keep every n-th pose; default 1. */
@@ -22,6 +23,9 @@ export interface TrailOptions {
     readonly z?: number;
   };
 }
+
+/** A birth that no recording reaches: the slot has no trail. */
+const NEVER = 0x7fffffff;
 
 /**
  * Ring of the last `length` positions of each body, laid out as data textures: `length` slices one below the other,
@@ -54,7 +58,11 @@ export class TrailHistory {
   birthVersion = 0;
   /** Incremented when all slices changed and must be uploaded again. */
   resetVersion = 0;
-  readonly #seen: Uint32Array;
+  readonly #living: LivingBodies;
+  /** Per slot, the number of the last search for changes that found its body, and the generation of that one. */
+  readonly #found: Uint32Array;
+  readonly #generations: Uint32Array;
+  #searches = 1;
   #posesSinceRecording: number;
 
   /** @throws Error where `length`, `interval` or one of `bodies` is out of range */
@@ -77,7 +85,12 @@ export class TrailHistory {
     this.z = new Float32Array(source.dimensions === 3 ? slots * length : 0);
     this.birth = new Uint32Array(slots);
     this.origin = { x: origin?.x ?? 0, y: origin?.y ?? 0, z: origin?.z ?? 0 };
-    this.#seen = new Uint32Array(slots);
+    this.#living = new LivingBodies(source);
+    this.#found = new Uint32Array(slots);
+    this.#generations = new Uint32Array(slots);
+    this.bodies?.forEach((id, slot) => {
+      this.#generations[slot] = this.#living.generationOf(id);
+    });
     this.#posesSinceRecording = interval;
   }
 
@@ -87,6 +100,8 @@ export class TrailHistory {
    * @returns true when a slice was written, false when the interval skips this pose
    */
   record(): boolean {
+    // Between two recordings, too: the line to the place of a body that is gone would be drawn until the next one.
+    if (this.#living.refresh()) this.#findBirths();
     this.#posesSinceRecording++;
     this.newestIsCurrent = this.#posesSinceRecording >= this.interval;
     if (!this.newestIsCurrent) return false;
@@ -98,21 +113,22 @@ export class TrailHistory {
     this.#copy(this.y, start, position.y, this.origin.y);
     if (dimensions === 3) this.#copy(this.z, start, position.z, this.origin.z);
     this.recordings++;
-    this.#recordBirths();
     return true;
   }
 
   /** Restarts the trail of body `id`, for example after a teleport. Does nothing for a body without a trail. */
   restart(id: number): void {
     const slot = this.bodies === undefined ? id : this.bodies.indexOf(id);
-    if (slot < 0 || slot >= this.#seen.length) return;
-    this.#seen[slot] = 0;
+    if (slot < 0 || slot >= this.birth.length || this.birth[slot] === NEVER) return;
+    this.birth[slot] = this.recordings;
+    this.birthVersion++;
   }
 
   /** Discards all points. */
   clear(): void {
-    this.#seen.fill(0);
-    this.birth.fill(this.recordings);
+    for (let slot = 0; slot < this.birth.length; slot++) {
+      if (this.birth[slot] !== NEVER) this.birth[slot] = this.recordings;
+    }
     this.birthVersion++;
     this.#posesSinceRecording = this.interval;
   }
@@ -143,22 +159,31 @@ export class TrailHistory {
     }
   }
 
-  /** A slot that was not recorded last time holds a new body: its trail begins at this recording. */
-  #recordBirths(): void {
-    const ids = this.bodies === undefined ? this.source.ids : undefined;
-    const count = this.count;
-    const now = this.recordings;
-    const seen = this.#seen;
-    let born = false;
+  /** The trail of a body that came since the last search begins at the next recording, and that of one that left ends. */
+  #findBirths(): void {
+    const { bodies, count } = this;
+    const { ids } = this.source;
+    const living = this.#living;
+    this.#searches++;
+    let changed = false;
     for (let i = 0; i < count; i++) {
-      const slot = ids === undefined ? i : ids[i];
-      if (seen[slot] !== now - 1 || now === 1) {
-        this.birth[slot] = now - 1;
-        born = true;
+      const id = bodies === undefined ? ids[i] : bodies[i];
+      const slot = bodies === undefined ? id : i;
+      const generation = living.generationOf(id);
+      const isKnown = this.#generations[slot] === generation;
+      if (bodies !== undefined && !(isKnown && living.has(id))) {
+        changed ||= this.birth[slot] !== NEVER;
+        this.birth[slot] = NEVER;
+        continue;
       }
-      seen[slot] = now;
+      const stayed = isKnown && this.#found[slot] === this.#searches - 1;
+      this.#found[slot] = this.#searches;
+      this.#generations[slot] = generation;
+      if (stayed) continue;
+      this.birth[slot] = this.recordings;
+      changed = true;
     }
-    if (born) this.birthVersion++;
+    if (changed) this.birthVersion++;
   }
 }
 

@@ -43,6 +43,7 @@ export function worldSource(world: PhysicsWorld): BodySource {
     get lastId() {
       return world.lastId;
     },
+    generations: world.internal.generations,
     versions: {
       get pose() {
         return versions.pose + versions.restored * RESTORE_OFFSET;

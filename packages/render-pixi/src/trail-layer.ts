@@ -14,8 +14,8 @@ export interface TrailLayerOptions {
   /** Points per trail, at least 2; default 32. */
   length?: number;
   /**
-   * Ids of the bodies that leave trails, fixed for the life of the layer. Default all, where bodies × points must fit into
-   * a texture: 8 388 608 in all.
+   * Ids of the bodies that leave trails, fixed for the life of the layer. A trail ends with its body: another one that takes
+   * the id has none. Default all, where bodies × points must fit into a texture: 8 388 608 in all.
    */
   bodies?: ArrayLike<number>;
   /** Record every n-th pose; default 1. */
