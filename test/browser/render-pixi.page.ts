@@ -563,8 +563,13 @@ export const lab = {
       links.update(alpha);
       return light(stage.shoot());
     });
+    // Its row is zero, as that of a body that was removed.
+    place(source, 900, 0, 0, 0);
+    source.show([3]);
+    links.update(1);
+    const unlinked = light(stage.shoot()).area;
     stage.close();
-    return { thick, colored, dots, linked };
+    return { thick, colored, dots, linked, unlinked };
   },
 
   /** Leaves a picture with every kind of layer on the page, for a look and for comparing back ends. */

@@ -175,6 +175,7 @@ describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', HANGS, (
     expect(seen.linked[0].area).toBeCloseTo(81, -1);
     expect(seen.linked[0].y).toBeCloseTo(0, 1);
     expect(seen.linked[1].y).toBeCloseTo(30, 1);
+    expect(seen.unlinked).toBe(0);
   });
 });
 

@@ -7,9 +7,15 @@ import { TEXTURE_WIDTH } from '@principia/render-core';
  * @throws Error when `count` is not a whole number from zero
  */
 export function bufferLength(count: number, length: number, channels: number): number {
-  if (!Number.isInteger(count) || count < 0) throw new Error(`the number of lines must be 0 or more, got ${count}`);
+  checkCount(count);
   const needed = count * channels;
   if (length > 0 && needed <= length) return length;
   const row = TEXTURE_WIDTH * channels;
   return Math.max(1, Math.ceil(Math.max(needed, 2 * length) / row)) * row;
+}
+
+/** @throws Error when `count` is not a whole number from zero */
+export function checkCount(count: number): void {
+  if (Number.isInteger(count) && count >= 0) return;
+  throw new Error(`the number of lines must be a whole number, 0 or more, got ${count}`);
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { bufferLength } from './buffer-capacity.ts';
 import { writeColor } from './color.ts';
-import { applyLineStyle, checkLength } from './line-style.ts';
+import { applyLineStyle, checkLength, lineCount } from './line-style.ts';
 
 describe('line style', () => {
   it('writes thickness and colour, with defaults', () => {
@@ -17,6 +17,16 @@ describe('line style', () => {
     expect(() => writeColor(new Float32Array(4), 0x1000000)).toThrow(/0xffffff/);
     expect(() => writeColor(new Float32Array(4), 0, 2)).toThrow(/opacity.*got 2/);
     expect(() => checkLength('pairs', [1, 2], 4)).toThrow(/pairs must hold at least 4.*got 2/);
+  });
+
+  it('counts lines, and refuses arrays that end within one', () => {
+    expect(lineCount('pairs', [1, 2, 3, 4], 2)).toBe(2);
+    expect(lineCount('pairs', [1, 2, 3, 4], 2, 1)).toBe(1);
+    expect(() => lineCount('pairs', [1, 2, 3], 2)).toThrow('pairs must hold 2 numbers for each line, got 3 in all');
+    expect(() => lineCount('pairs', [1, 2], 2, 5)).toThrow('pairs must hold at least 10 numbers');
+    for (const count of [-1, 0.5, Number.NaN]) {
+      expect(() => lineCount('pairs', [1, 2], 2, count)).toThrow(`a whole number, 0 or more, got ${count}`);
+    }
   });
 });
 

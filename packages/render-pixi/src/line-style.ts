@@ -1,3 +1,4 @@
+import { checkCount } from './buffer-capacity.ts';
 import { writeColor } from './color.ts';
 
 /** Options of a layer of lines. */
@@ -27,6 +28,22 @@ export function applyLineStyle(mesh: UniformTarget, style: LineStyle): void {
   writeColor(rgba, color, opacity);
   mesh.uniforms.uLineColor = rgba;
   mesh.uniforms.uThickness = thickness;
+}
+
+/**
+ * The number of lines in an array of `each` numbers a line.
+ *
+ * @param count number of lines that are wanted; default: all in the array
+ * @throws Error when it is not a whole number from zero, or the array ends before or within a line
+ */
+export function lineCount(name: string, values: ArrayLike<number>, each: number, count?: number): number {
+  if (count === undefined) {
+    if (values.length % each === 0) return values.length / each;
+    throw new Error(`${name} must hold ${each} numbers for each line, got ${values.length} in all`);
+  }
+  checkCount(count);
+  checkLength(name, values, each * count);
+  return count;
 }
 
 /** @throws Error when an array has fewer than `needed` numbers */

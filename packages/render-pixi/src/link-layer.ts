@@ -1,9 +1,9 @@
 import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
-import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
-import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
+import { applyLineStyle, checkLength, type LineStyle, lineCount } from './line-style.ts';
+import { LinkList } from './link-list.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { LINK_PROGRAM } from './shaders/link-program.ts';
 import { SourceTextures } from './source-textures.ts';
@@ -19,12 +19,14 @@ export interface LinkLayer {
   /** Add it anywhere, as that of a body layer. */
   readonly container: Container;
   /**
-   * Replaces the links; needed only when they change, since the lines follow the bodies.
+   * Replaces the links; needed only when they change, since the lines follow the bodies. A link whose body is removed is
+   * not drawn any more, nor to another body that takes the id.
    *
    * @param pairs ids of the two bodies of each link, one pair after the other
    * @param count number of links; default: all in the array
    * @param colors colour of each link as RGBA bytes in memory order (`0xAABBGGRR`), zero for the layer's colour
-   * @throws Error when an array is shorter than `count` links need
+   * @throws Error when an array is shorter than `count` links need, `pairs` ends within a link, an id is none of the source, or
+   * `count` not a whole number from zero; the links then stay as they are
    */
   set(pairs: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
   /** Updates the picture; call it once a frame, as for bodies. */
@@ -63,24 +65,23 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
   };
   const mesh = new PullMesh(LINK_PROGRAM, bindings, pixelsPerMetre, blendMode);
   applyLineStyle(mesh, options);
-  let ids = new Uint32Array(0);
+  const links = new LinkList(source);
   let live = true;
 
   return {
     container: mesh.container,
-    set(pairs, count = Math.floor(pairs.length / 2), linkColors) {
+    set(pairs, wanted, linkColors) {
       mesh.assertDrawable();
-      checkLength('pairs', pairs, 2 * count);
+      const count = lineCount('pairs', pairs, 2, wanted);
       if (linkColors !== undefined) checkLength('colors', linkColors, count);
-      const length = bufferLength(2 * count, ids.length, 1);
-      if (length !== ids.length) ids = new Uint32Array(length);
-      for (let i = 0; i < 2 * count; i++) ids[i] = pairs[i];
-      pairsTexture.upload(ids, 2 * count);
+      links.set(pairs, count);
+      pairsTexture.upload(links.shown, 2 * count);
       colors.set(count, linkColors);
       mesh.draw(count);
     },
     update(alpha) {
       mesh.assertDrawable();
+      if (links.refresh()) pairsTexture.upload(links.shown, 2 * links.count);
       textures.syncPosition();
       mesh.uniforms.uAlpha = textures.alphaOf(alpha);
       mesh.place(textures.originX, textures.originY);

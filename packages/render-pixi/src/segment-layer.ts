@@ -3,7 +3,7 @@ import type { Container } from 'pixi.js';
 import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
-import { applyLineStyle, checkLength, type LineStyle } from './line-style.ts';
+import { applyLineStyle, checkLength, type LineStyle, lineCount } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
 
@@ -17,7 +17,8 @@ export interface SegmentLayer {
    * @param segments x1, y1, x2, y2 of each line, metres
    * @param count number of lines; default: all in the array
    * @param colors colour of each line as RGBA bytes in memory order (`0xAABBGGRR`), zero for the layer's colour
-   * @throws Error when an array is shorter than `count` lines need
+   * @throws Error when an array is shorter than `count` lines need, `segments` ends within a line, or `count` is not a whole number
+   * from zero; the lines then stay as they are
    */
   set(segments: ArrayLike<number>, count?: number, colors?: ArrayLike<number>): void;
   /** World point, metres, to which the next `set` makes lines relative; see `BodyLayer.setOrigin`. */
@@ -49,9 +50,9 @@ export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
 
   return {
     container: mesh.container,
-    set(segments, count = Math.floor(segments.length / 4), lineColors) {
+    set(segments, wanted, lineColors) {
       mesh.assertDrawable();
-      checkLength('segments', segments, count * 4);
+      const count = lineCount('segments', segments, 4, wanted);
       if (lineColors !== undefined) checkLength('colors', lineColors, count);
       const length = bufferLength(count, data.length, 4);
       if (length !== data.length) data = new Float32Array(length);

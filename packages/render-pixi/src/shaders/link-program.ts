@@ -1,7 +1,8 @@
+import { NO_LINK } from '../link-list.ts';
 import { GLSL_LINE_FRAGMENT, GLSL_LINE_VERTEX, WGSL_LINE } from './line.ts';
 import type { PullProgram } from './pull-program.ts';
 
-/** Draws lines between the centres of bodies: texels `2 i` and `2 i + 1` of the pairs are the ids of link `i`. */
+/** Draws lines between the centres of bodies: texels `2 i` and `2 i + 1` of the pairs are the ids of link `i`, or `NO_LINK`. */
 export const LINK_PROGRAM: PullProgram = {
   name: 'principia-links',
   textures: {
@@ -22,6 +23,10 @@ vec2 centre(int id) {
 
 void main() {
   int i = gl_VertexID >> 2;
+  if (whole(uPairs, 2 * i) == ${NO_LINK}u) {
+    gl_Position = NOWHERE;
+    return;
+  }
   float width = uThickness * pixelRatio();
   uint bytes = whole(uLineColors, i);
   drawLine(centre(int(whole(uPairs, 2 * i))), centre(int(whole(uPairs, 2 * i + 1))), width);
@@ -40,6 +45,11 @@ fn centre(id: i32) -> vec2<f32> {
 fn mainVertex(@builtin(vertex_index) vertex: u32) -> Varyings {
   let index = i32(vertex);
   let i = index >> 2u;
+  if (whole(uPairs, 2 * i) == ${NO_LINK}u) {
+    var out: Varyings;
+    out.position = NOWHERE;
+    return out;
+  }
   let bytes = whole(uLineColors, i);
   let color = tinted(select(rgba(bytes), own.uLineColor, bytes == 0u));
   let a = centre(i32(whole(uPairs, 2 * i)));
