@@ -23,7 +23,7 @@ import {
   keepUpright,
   openScreen,
 } from '@principia/render-pixi';
-import { Application, Container, Graphics, Sprite } from 'pixi.js';
+import { AlphaFilter, Application, Container, Graphics, Sprite } from 'pixi.js';
 import { createTestBodySource, type TestBodySource } from '../support/body-source.ts';
 
 export type Backend = 'webgl' | 'webgpu';
@@ -570,6 +570,53 @@ export const lab = {
     const unlinked = light(stage.shoot()).area;
     stage.close();
     return { thick, colored, dots, linked, unlinked };
+  },
+
+  /**
+   * The light and the box of each kind of layer, and its light through a filter, and through a texture that is cached. Then how
+   * far a side of a box moves with a body.
+   */
+  async boxes(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const source = createTestBodySource(1024);
+    source.show([1, 3]);
+    place(source, 1, 50, 20, 10);
+    source.shape[1] = SHAPES.box;
+    place(source, 3, -30, -60, 4);
+    const bodies = createBodyLayer({ source });
+    const links = createLinkLayer({ source, thickness: 6 });
+    links.set([1, 3]);
+    const segments = createSegmentLayer({ thickness: 10 });
+    segments.set([-40, 10, 70, 10]);
+    const trails = createTrailLayer({ source, thickness: 8, length: 8 });
+    for (let step = 0; step < 4; step++) {
+      place(source, 1, 50 - 20 * (3 - step), 20, 10);
+      source.versions.pose++;
+      trails.update(1);
+    }
+    const seen = [bodies, links, segments, trails].map((layer) => {
+      stage.world.addChild(layer.container);
+      bodies.update(1);
+      links.update(1);
+      const plain = stage.shoot();
+      const { minX, minY, maxX, maxY } = layer.container.getBounds();
+      const box = [minX - SIZE / 2, SIZE / 2 - maxY, maxX - SIZE / 2, SIZE / 2 - minY];
+      layer.container.filters = [new AlphaFilter({ alpha: 1 })];
+      const filtered = light(stage.shoot()).area;
+      layer.container.filters = [];
+      layer.container.cacheAsTexture(true);
+      const cached = light(stage.shoot()).area;
+      layer.container.cacheAsTexture(false);
+      layer.container.removeFromParent();
+      return { lit: light(plain).area, box, filtered, cached };
+    });
+    const before = bodies.container.getLocalBounds().maxX;
+    place(source, 1, 75, 20, 10);
+    source.versions.pose++;
+    bodies.update(1);
+    const moved = bodies.container.getLocalBounds().maxX - before;
+    stage.close();
+    return { seen, moved };
   },
 
   /** Leaves a picture with every kind of layer on the page, for a look and for comparing back ends. */

@@ -179,6 +179,31 @@ describe.each<Backend>(['webgl', 'webgpu'])('trails and lines with %s', HANGS, (
   });
 });
 
+describe.each<Backend>(['webgl', 'webgpu'])('the box of a layer with %s', HANGS, (backend) => {
+  useFreshPage();
+
+  it('holds what is drawn, so that filters and textures cut nothing off, and little more', async () => {
+    const { seen, moved } = await page.evaluate((b) => pixiLab.boxes(b), backend);
+    // Left, bottom, right and top of the drawn centres and ends, and how far they are drawn beyond these.
+    const [sides, corner] = [[-30, -60, 50, 20], 11 * Math.SQRT2];
+    const expected = [
+      { at: [-30, -60, 50, 20], reach: [5, 5, corner, corner] },
+      { at: sides, reach: [4, 4, 4, 4] },
+      { at: [-40, 10, 70, 10], reach: [6, 6, 6, 6] },
+      { at: [-30, -60, 50, 20], reach: [5, 5, 5, 5] },
+    ];
+    for (const [i, { lit, box, filtered, cached }] of seen.entries()) {
+      const { at, reach } = expected[i];
+      for (let side = 0; side < 4; side++)
+        expect((box[side] - at[side]) * (side < 2 ? -1 : 1)).toBeCloseTo(reach[side], 3);
+      expect(lit).toBeGreaterThan(50);
+      // Soft edges are a little sharper there: the textures that pixi takes are larger than the picture in them.
+      for (const seenThere of [filtered, cached]) expect(Math.abs(seenThere / lit - 1)).toBeLessThan(0.03);
+    }
+    expect(moved).toBeCloseTo(25, 3);
+  });
+});
+
 describe('bodies', () => {
   useFreshPage();
 

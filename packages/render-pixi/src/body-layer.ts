@@ -1,5 +1,6 @@
 import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
+import { addBodies } from './boxes.ts';
 import { writeColor } from './color.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { PullMesh } from './pull-mesh.ts';
@@ -16,7 +17,7 @@ export interface BodyLayerOptions {
   defaultColor?: number;
   /** `add` lets overlapping bodies brighten each other, as fire and stars do; default `normal`. */
   blendMode?: 'normal' | 'add';
-  /** Smallest drawn radius, physical pixels; default 0.5. */
+  /** Smallest drawn radius of bodies that have a size or a collider, physical pixels; default 0.5. */
   minimumPixels?: number;
   /** Width of a darker rim of filled shapes, CSS pixels; default 0. */
   rimWidth?: number;
@@ -26,7 +27,10 @@ export interface BodyLayerOptions {
 
 /** Bodies of a world, to be added to a pixi stage. */
 export interface BodyLayer {
-  /** Add it anywhere. Its coordinates are metres times `pixelsPerMetre`, with y up. */
+  /**
+   * Add it anywhere, also under filters and masks. Its coordinates are metres times `pixelsPerMetre`, with y up. `getBounds`
+   * passes over all bodies.
+   */
   readonly container: Container;
   /**
    * Updates the picture; call it once a frame before rendering. Uploads the data that changed since the last call,
@@ -38,7 +42,8 @@ export interface BodyLayer {
   update(alpha: number): void;
   /**
    * Sets the world point, metres, near which an f64 source is drawn precisely; move it with the camera in a world too
-   * large for f32. No effect for an f32 source. Applies to every layer of the same source.
+   * large for f32. No effect for an f32 source. Applies to every layer of the same source. The camera must then be applied to a
+   * container of your own and not to the stage, see `applyCamera`.
    */
   setOrigin(x: number, y: number): void;
   /** Frees the layer's resources and removes it from its parent. */
@@ -56,7 +61,8 @@ const OPTION_NAMES: OptionNames<BodyLayerOptions> = {
 };
 
 /**
- * Draws every body of a source as the shape of its collider, or as a disc, ring, box, marked disc or glow. The GPU reads the world's columns by entity
+ * Draws every body of a source as the shape of its collider, or as a disc, ring, box, marked disc or glow; those with neither a
+ * size nor a collider are not drawn. The GPU reads the world's columns by entity
  * id, so the cost in JavaScript is one upload per changed column, independent of the number of bodies.
  *
  * @throws Error when there is no source, or an option is out of range or does not exist; the first `update` also where the source's
@@ -74,7 +80,9 @@ export function createBodyLayer(options: BodyLayerOptions): BodyLayer {
   const textures = SourceTextures.acquire(source);
   // The angles of the source may be on the GPU for another layer. Rows beyond those of a texture are read as zeros.
   const unturned = rotation ? undefined : new ColumnTexture('real');
-  const mesh = new PullMesh(BODY_PROGRAM, bindings(textures, unturned), pixelsPerMetre, blendMode);
+  const mesh = new PullMesh(BODY_PROGRAM, bindings(textures, unturned), pixelsPerMetre, blendMode, (box, pixel) =>
+    addBodies(box, source, textures, minimumPixels * pixel, pixel),
+  );
   mesh.uniforms.uDefaultColor = color;
   mesh.uniforms.uMinimumPixels = minimumPixels;
   mesh.uniforms.uRim = rimWidth;

@@ -15,6 +15,9 @@ export interface LineStyle {
   pixelsPerMetre?: number;
 }
 
+/** Default thickness, CSS pixels. */
+const THICKNESS = 2;
+
 /** An object with a program's uniforms. */
 interface UniformTarget {
   readonly uniforms: Record<string, number | Float32Array>;
@@ -22,12 +25,17 @@ interface UniformTarget {
 
 /** Sets the uniforms that segments and links share. */
 export function applyLineStyle(mesh: UniformTarget, style: LineStyle): void {
-  const { thickness = 2, color = 0xc8d0d8, opacity = 1 } = style;
+  const { thickness = THICKNESS, color = 0xc8d0d8, opacity = 1 } = style;
   checkThickness(thickness);
   const rgba = new Float32Array(4);
   writeColor(rgba, color, opacity);
   mesh.uniforms.uLineColor = rgba;
   mesh.uniforms.uThickness = thickness;
+}
+
+/** How far a line of a thickness in CSS pixels reaches to its sides, metres, with its soft edge. @param pixel metres */
+export function lineReach(thickness: number | undefined, pixel: number): number {
+  return (0.5 * Math.max(thickness ?? THICKNESS, 1) + 1) * pixel;
 }
 
 /**

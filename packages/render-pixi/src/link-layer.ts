@@ -1,9 +1,10 @@
 import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import type { Container } from 'pixi.js';
+import { addPlaces } from './boxes.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
-import { applyLineStyle, checkLength, type LineStyle, lineCount } from './line-style.ts';
-import { LinkList } from './link-list.ts';
+import { applyLineStyle, checkLength, type LineStyle, lineCount, lineReach } from './line-style.ts';
+import { LinkList, NO_LINK } from './link-list.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { LINK_PROGRAM } from './shaders/link-program.ts';
 import { SourceTextures } from './source-textures.ts';
@@ -63,9 +64,14 @@ export function createLinkLayer(options: LinkLayerOptions): LinkLayer {
     uPreviousX: textures.previousX.texture.source,
     uPreviousY: textures.previousY.texture.source,
   };
-  const mesh = new PullMesh(LINK_PROGRAM, bindings, pixelsPerMetre, blendMode);
-  applyLineStyle(mesh, options);
   const links = new LinkList(source);
+  const mesh = new PullMesh(LINK_PROGRAM, bindings, pixelsPerMetre, blendMode, (box, pixel) => {
+    for (let i = 0; i < 2 * links.count; i++) {
+      const id = links.shown[i];
+      if (id !== NO_LINK) addPlaces(box, source, id, textures, lineReach(options.thickness, pixel));
+    }
+  });
+  applyLineStyle(mesh, options);
   let live = true;
 
   return {

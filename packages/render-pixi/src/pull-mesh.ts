@@ -1,15 +1,14 @@
 import {
   type BLEND_MODES,
   Container,
-  type Geometry,
   GlProgram,
   GpuProgram,
-  Mesh,
   Shader,
   type TextureSource,
   UniformGroup,
   VERSION,
 } from 'pixi.js';
+import { type Measure, MeasuredMesh } from './measured-mesh.ts';
 import { requirePixi } from './pixi-version.ts';
 import { QuadGeometry } from './quad-geometry.ts';
 import { glslHeader, gpuLayout, type PullProgram, type UniformType, wgslHeader } from './shaders/pull-program.ts';
@@ -22,7 +21,7 @@ export class PullMesh {
   readonly container: Container;
   /** Values of the program's uniforms, by name. */
   readonly uniforms: Record<string, UniformValue>;
-  readonly #mesh: Mesh<Geometry, Shader>;
+  readonly #mesh: MeasuredMesh;
   readonly #quads = new QuadGeometry();
   readonly #shader: Shader;
   readonly #pixelsPerMetre: number;
@@ -30,6 +29,7 @@ export class PullMesh {
 
   /**
    * @param textures one for each name in `program.textures`
+   * @param measure finds the box of what is drawn, from the point that `place` was given last
    * @throws Error when `pixelsPerMetre` is not a positive number, or pixi.js is too old
    */
   constructor(
@@ -37,6 +37,7 @@ export class PullMesh {
     textures: Readonly<Record<string, TextureSource>>,
     pixelsPerMetre: number,
     blendMode: BLEND_MODES,
+    measure: Measure,
   ) {
     requirePixi(VERSION);
     if (!(pixelsPerMetre > 0 && Number.isFinite(pixelsPerMetre))) {
@@ -45,7 +46,7 @@ export class PullMesh {
     const group = uniformGroup(program);
     this.uniforms = group.uniforms as Record<string, UniformValue>;
     this.#shader = buildShader(program, group, textures);
-    this.#mesh = new Mesh({ geometry: this.#quads.geometry, shader: this.#shader });
+    this.#mesh = new MeasuredMesh(this.#quads.geometry, this.#shader, measure);
     this.#mesh.blendMode = blendMode;
     this.#mesh.eventMode = 'none';
     this.#pixelsPerMetre = pixelsPerMetre;
@@ -59,11 +60,12 @@ export class PullMesh {
 
   /**
    * Sets the world point (x, y), metres, of the shader's origin. Pixi adds it to the camera's offset in f64, so a
-   * distant origin costs no precision.
+   * distant origin costs no precision. Call it whenever something drawn has moved.
    */
   place(originX: number, originY: number): void {
     const scale = this.#pixelsPerMetre;
     this.#mesh.position.set(originX * scale, -originY * scale);
+    this.#mesh.changed();
   }
 
   /** Draws the first `quads` quads, `instances` times over. */

@@ -1,9 +1,10 @@
 import { checkOptions, type OptionNames } from '@principia/render-core';
 import type { Container } from 'pixi.js';
+import { addPoint } from './boxes.ts';
 import { bufferLength } from './buffer-capacity.ts';
 import { ColumnTexture } from './column-texture.ts';
 import { LineColors } from './line-colors.ts';
-import { applyLineStyle, checkLength, type LineStyle, lineCount } from './line-style.ts';
+import { applyLineStyle, checkLength, type LineStyle, lineCount, lineReach } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { SEGMENT_PROGRAM } from './shaders/segment-program.ts';
 
@@ -41,9 +42,13 @@ export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
   const segmentsTexture = new ColumnTexture('real', 4);
   const colors = new LineColors();
   const bindings = { uSegments: segmentsTexture.source, uLineColors: colors.texture.source };
-  const mesh = new PullMesh(SEGMENT_PROGRAM, bindings, options.pixelsPerMetre ?? 1, options.blendMode ?? 'normal');
-  applyLineStyle(mesh, options);
+  const { pixelsPerMetre = 1, blendMode = 'normal', thickness } = options;
   let data = new Float32Array(0);
+  let lines = 0;
+  const mesh = new PullMesh(SEGMENT_PROGRAM, bindings, pixelsPerMetre, blendMode, (box, pixel) => {
+    for (let i = 0; i < 4 * lines; i += 2) addPoint(box, data[i], data[i + 1], lineReach(thickness, pixel));
+  });
+  applyLineStyle(mesh, options);
   let originX = 0;
   let originY = 0;
   let live = true;
@@ -60,6 +65,7 @@ export function createSegmentLayer(options: LineStyle = {}): SegmentLayer {
         data[i] = segments[i] - originX;
         data[i + 1] = segments[i + 1] - originY;
       }
+      lines = count;
       segmentsTexture.upload(data, count);
       colors.set(count, lineColors);
       mesh.place(originX, originY);

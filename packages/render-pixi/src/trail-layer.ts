@@ -1,7 +1,8 @@
 import { type BodySource, checkOptions, type OptionNames, sourceOf, TrailHistory } from '@principia/render-core';
 import type { Container } from 'pixi.js';
+import { addTrails } from './boxes.ts';
 import { writeColor } from './color.ts';
-import { checkThickness } from './line-style.ts';
+import { checkThickness, lineReach } from './line-style.ts';
 import { PullMesh } from './pull-mesh.ts';
 import { TRAIL_PROGRAM } from './shaders/trail-program.ts';
 import { SourceTextures } from './source-textures.ts';
@@ -78,7 +79,11 @@ export function createTrailLayer(options: TrailLayerOptions): TrailLayer {
   const history = new TrailHistory({ source, length, interval, ...(bodies === undefined ? {} : { bodies }) });
   const trails = new TrailTextures(history);
   const textures = SourceTextures.acquire(source);
-  const mesh = new PullMesh(TRAIL_PROGRAM, bindings(textures, trails, bodies !== undefined), pixelsPerMetre, blendMode);
+  const bound = bindings(textures, trails, bodies !== undefined);
+  const { thickness = 2 } = options;
+  const mesh = new PullMesh(TRAIL_PROGRAM, bound, pixelsPerMetre, blendMode, (box, pixel) =>
+    addTrails(box, history, lineReach(thickness, pixel)),
+  );
   setStyle(mesh, options);
   mesh.uniforms.uLength = length;
   mesh.uniforms.uSliceTexels = history.birth.length;
