@@ -47,7 +47,7 @@ export interface BodySource {
   };
   /** Radius of the collider, metres; drawn if `size` is zero. */
   readonly radius: RealColumn;
-  /** Drawn radius, metres; zero means the radius of the collider. */
+  /** Drawn radius, metres; zero means the radius of the collider. Where both are zero, the body is not drawn. */
   readonly size: RealColumn;
   /** Colour as RGBA bytes in memory order (`0xAABBGGRR` as a little-endian number); zero means the renderer's default. */
   readonly color: Uint32Array;

@@ -11,7 +11,8 @@ export interface CameraTarget {
  * and text in it are placed at (x, −y) in metres and stay upright, or at (x, y) in a `createWorldContainer`.
  *
  * Call it each frame: it sets one transform, and nothing if the camera did not move. In a world too large for f32, do
- * not make the container a render group: pixi would then send origin and camera to the GPU separately.
+ * give it a render group, such as the stage, whose transform pixi sends to the GPU by itself, rounded to f32: give it a
+ * container of your own in the stage.
  *
  * @param viewport size of the renderer's screen, CSS pixels
  */

@@ -28,7 +28,7 @@ export interface BodyMeshOptions {
   geometry?: BufferGeometry;
   /**
    * Smallest drawn radius in device pixels, so that distant bodies neither vanish nor flicker; default 0.75. Impostors
-   * only.
+   * only. Bodies with neither a size nor a collider are not drawn.
    */
   minPixelRadius?: number;
   /** Whether bodies cast shadows. Default false. */
