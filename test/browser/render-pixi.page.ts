@@ -280,8 +280,16 @@ export const lab = {
       darkest = Math.min(darkest, data[4 * i]);
       brightest = Math.max(brightest, data[4 * i]);
     }
+    layer.destroy();
+    const wide = createBodyLayer({ source, rimWidth: 20 });
+    stage.world.addChild(wide.container);
+    source.shape[1] = SHAPES.glow;
+    place(source, 1, 0, 0, 40);
+    source.versions.style++;
+    wide.update(1);
+    const glow = light(stage.shoot()).area;
     stage.close();
-    return { square, darkest, brightest };
+    return { square, darkest, brightest, glow };
   },
 
   /** Areas in red, green and blue light for bodies that use each rule for colour and radius. */

@@ -89,7 +89,7 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', HANGS, (backend) =
   });
 
   it.each([0, 0.4])(
-    'darkens a rim of 2 pixels along the edge of a square, and over the mark of a disc',
+    'darkens a rim of 2 pixels along the edge of a square, and over the mark of a disc, and none of a glow',
     async (angle) => {
       const seen = await page.evaluate(([b, a]) => pixiLab.rims(b, a), [backend, angle] as const);
       // 45 % of the light in the rim; a square with an inscribed disc would have a fifth less.
@@ -97,6 +97,8 @@ describe.each<Backend>(['webgl', 'webgpu'])('bodies with %s', HANGS, (backend) =
       // 45 % of 64 of 255 all round.
       expect(Math.abs(seen.darkest - 29)).toBeLessThanOrEqual(1);
       expect(Math.abs(seen.brightest - 29)).toBeLessThanOrEqual(1);
+      // The integral of (1 - r²)² over the disc: a glow has no edge.
+      expect(seen.glow / (discArea(40) / 3)).toBeCloseTo(1, 2);
     },
   );
 

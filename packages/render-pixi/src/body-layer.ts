@@ -19,7 +19,7 @@ export interface BodyLayerOptions {
   blendMode?: 'normal' | 'add';
   /** Smallest drawn radius of bodies that have a size or a collider, physical pixels; default 0.5. */
   minimumPixels?: number;
-  /** Width of a darker rim of filled shapes, CSS pixels; default 0. */
+  /** Width of a darker rim of filled shapes, not of rings and glows, CSS pixels; default 0. */
   rimWidth?: number;
   /** False ignores the angles of boxes, marked discs and colliders. Default true. */
   rotation?: boolean;

@@ -109,7 +109,7 @@ void main() {
     cover = glow * glow;
   }
   if (cover <= 0.0) discard;
-  if (vRim > 0.0 && vShape != 1) rgb = mix(0.45 * vColor.rgb, rgb, core);
+  if (vRim > 0.0 && vShape != 1 && vShape != 4) rgb = mix(0.45 * vColor.rgb, rgb, core);
   finalColor = vec4(rgb, vColor.a) * cover;
 }
 `;
@@ -212,7 +212,7 @@ fn mainFragment(in: Varyings) -> @location(0) vec4<f32> {
     cover = glow * glow;
   }
   if (cover <= 0.0) { discard; }
-  if (in.rim > 0.0 && in.shape != 1) { rgb = mix(0.45 * in.color.rgb, rgb, core); }
+  if (in.rim > 0.0 && in.shape != 1 && in.shape != 4) { rgb = mix(0.45 * in.color.rgb, rgb, core); }
   return vec4<f32>(rgb, in.color.a) * cover;
 }
 `;
