@@ -245,7 +245,7 @@ test.each([
   ['impostor', { logarithmicDepthBuffer: true }],
   ['impostor', { reversedDepthBuffer: true }],
 ] as const)(
-  "all of three's lit materials, lights and shadows work (%s, %o), and destroy frees what they took",
+  "all of three's lit materials, that of normals, lights and shadows work (%s, %o), and destroy frees what they took",
   async (form, depth) => {
     const { counts, geometries, held, freed } = await lab('everyMaterial', form, depth);
     expect(Math.min(...counts)).toBeGreaterThan(1000);

@@ -14,7 +14,7 @@ import {
   type WebGLProgramParametersWithUniforms,
   ZeroFactor,
 } from 'three';
-import { patchMaterial, replaceChunks, type Uniforms } from './material-patch.ts';
+import { patchMaterial, replaceChunks, showsNormals, type Uniforms } from './material-patch.ts';
 import { bodyPull } from './shaders/body-pull.ts';
 import {
   beachBall,
@@ -40,7 +40,7 @@ float studioLight(vec3 normal) {
 `;
 
 /** The lit fragment shader of any of three's materials, changed to meet the surface of the body. */
-function litFragmentShader(stock: string, isStudio: boolean): string {
+function litFragmentShader(stock: string, isStudio: boolean, isColored: boolean): string {
   const pars = `#include <clipping_planes_pars_fragment>
     ${impostorFragmentPars}${impostorSolidPars}${beachBall}${studioLight}${shadowMatrices}`;
   const chunks = {
@@ -48,18 +48,20 @@ function litFragmentShader(stock: string, isStudio: boolean): string {
     clipping_planes_fragment: '#include <clipping_planes_fragment>\nmeetSolid();',
     logdepthbuf_fragment: '',
     color_fragment: bodyColorFragment,
-    normal_fragment_begin: normalFragment,
+    normal_fragment_begin: isColored ? normalFragment : normalFragment + coverageFragment,
     lights_fragment_begin: lightsAtHit(),
     opaque_fragment: `${isStudio ? 'outgoingLight *= studioLight(impostorNormal);' : ''}\n#include <opaque_fragment>`,
   };
-  return replaceChunks(stock, chunks, ['clipping_planes_pars_fragment', 'clipping_planes_fragment', 'color_fragment']);
+  const required = ['clipping_planes_pars_fragment', 'clipping_planes_fragment'];
+  return replaceChunks(stock, chunks, isColored ? [...required, 'color_fragment'] : required);
 }
+
+const coverageFragment = 'diffuseColor.a *= impostorCoverage;\n';
 
 const bodyColorFragment = /* glsl */ `
 vec3 pattern = beachBall(impostorLocal, vBodyColor.rgb);
 diffuseColor.rgb *= vBodyShape == ${SHAPES.markedDisc}u ? pattern : vBodyColor.rgb;
-diffuseColor.a *= impostorCoverage;
-`;
+${coverageFragment}`;
 
 const normalFragment = /* glsl */ `
 float faceDirection = 1.0;
@@ -122,9 +124,10 @@ export function createStudioMaterial(): MeshBasicMaterial {
  */
 export function patchImpostorMaterial(material: Material, uniforms: Uniforms, dimensions: 2 | 3): void {
   const isStudio = material.name === 'studio';
+  const isColored = !showsNormals(material);
   const change = (shader: WebGLProgramParametersWithUniforms) => {
     shader.vertexShader = solidVertexShader(shader.vertexShader, dimensions);
-    shader.fragmentShader = litFragmentShader(shader.fragmentShader, isStudio);
+    shader.fragmentShader = litFragmentShader(shader.fragmentShader, isStudio, isColored);
   };
   const settings = { shadowSide: DoubleSide, ...(material?.transparent ? {} : SMOOTH_OUTLINES) };
   patchMaterial(material, uniforms, `principia-impostor-${dimensions}-${isStudio}`, change, settings);

@@ -58,6 +58,11 @@ export function restoreMaterial(material: Material): void {
   undoes.delete(material);
 }
 
+/** Whether a material of three shows normals, whatever the colours are: its shader then has no chunk for the colour. */
+export function showsNormals(material: Material): boolean {
+  return material?.type === 'MeshNormalMaterial';
+}
+
 /**
  * Replaces shader chunks by name.
  *
@@ -68,7 +73,9 @@ export function replaceChunks(text: string, chunks: Record<string, string>, requ
   for (const [name, replacement] of Object.entries(chunks)) {
     const include = `#include <${name}>`;
     if (!changed.includes(include) && required.includes(name)) {
-      throw new Error(`the material's shader has no chunk "${name}": use one of three's own mesh materials`);
+      throw new Error(
+        `the material's shader has no chunk "${name}": use a mesh material of three, such as MeshStandardMaterial`,
+      );
     }
     changed = changed.replace(include, () => replacement);
   }

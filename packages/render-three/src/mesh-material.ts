@@ -1,6 +1,6 @@
 import { SHAPES } from '@principia/render-core';
 import { type Material, MeshDepthMaterial, MeshDistanceMaterial, RGBADepthPacking } from 'three';
-import { patchMaterial, replaceChunks, type Uniforms } from './material-patch.ts';
+import { patchMaterial, replaceChunks, showsNormals, type Uniforms } from './material-patch.ts';
 import { bodyPull } from './shaders/body-pull.ts';
 import { beachBall } from './shaders/impostor.ts';
 
@@ -45,7 +45,7 @@ function vertexShader(stock: string, dimensions: 2 | 3): string {
   return replaceChunks(stock, chunks, ['clipping_planes_pars_vertex', 'uv_vertex', 'begin_vertex']);
 }
 
-function fragmentShader(stock: string): string {
+function fragmentShader(stock: string, isColored: boolean): string {
   const pars = `#include <clipping_planes_pars_fragment>
     flat varying vec4 vBodyColor;
     flat varying uint vBodyShape;
@@ -55,7 +55,8 @@ function fragmentShader(stock: string): string {
     vec3 pattern = beachBall(vBodyPoint, vBodyColor.rgb);
     diffuseColor.rgb *= vBodyShape == ${SHAPES.markedDisc}u ? pattern : vBodyColor.rgb;`;
   const chunks = { clipping_planes_pars_fragment: pars, color_fragment: color };
-  return replaceChunks(stock, chunks, ['clipping_planes_pars_fragment', 'color_fragment']);
+  const required = ['clipping_planes_pars_fragment', ...(isColored ? ['color_fragment'] : [])];
+  return replaceChunks(stock, chunks, required);
 }
 
 /**
@@ -65,7 +66,7 @@ function fragmentShader(stock: string): string {
 export function patchMeshMaterial(material: Material, uniforms: Uniforms, dimensions: 2 | 3): void {
   patchMaterial(material, uniforms, `principia-mesh-${dimensions}`, (shader) => {
     shader.vertexShader = vertexShader(shader.vertexShader, dimensions);
-    shader.fragmentShader = fragmentShader(shader.fragmentShader);
+    shader.fragmentShader = fragmentShader(shader.fragmentShader, !showsNormals(material));
   });
 }
 

@@ -11,6 +11,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  MeshNormalMaterial,
   MeshPhongMaterial,
   MeshStandardMaterial,
   MeshToonMaterial,
@@ -456,7 +457,14 @@ function everyMaterial(form: 'impostor' | 'mesh', depth: WebGLRendererParameters
   }
   stage.scene.add(...lights);
   stage.scene.fog = new Fog(0x203040, 5, 40);
-  const kinds = [MeshBasicMaterial, MeshLambertMaterial, MeshPhongMaterial, MeshToonMaterial, MeshStandardMaterial];
+  const kinds = [
+    MeshNormalMaterial,
+    MeshBasicMaterial,
+    MeshLambertMaterial,
+    MeshPhongMaterial,
+    MeshToonMaterial,
+    MeshStandardMaterial,
+  ];
   const source = sketch(createTestBodySource(1024, 3), cluster(10));
   const textures = countTextures(stage.renderer.getContext());
   const held: number[] = [];
