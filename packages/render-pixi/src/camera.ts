@@ -15,9 +15,14 @@ export interface CameraTarget {
  * container of your own in the stage.
  *
  * @param viewport size of the renderer's screen, CSS pixels
+ * @throws Error when the camera is at no finite place, or its scale not above zero; the container then stays as it is
  */
 export function applyCamera(container: CameraTarget, camera: Camera2D, viewport: ViewportSize): void {
-  const scale = camera.pixelsPerMetre;
+  const { x, y, pixelsPerMetre: scale } = camera;
+  if (!(Number.isFinite(x + y + scale) && scale > 0)) {
+    const given = `x ${x}, y ${y}, pixelsPerMetre ${scale}`;
+    throw new Error(`applyCamera needs a camera with finite x and y and pixelsPerMetre above 0, got ${given}`);
+  }
   container.scale.set(scale, scale);
-  container.position.set(viewport.width / 2 - camera.x * scale, viewport.height / 2 + camera.y * scale);
+  container.position.set(viewport.width / 2 - x * scale, viewport.height / 2 + y * scale);
 }

@@ -1,6 +1,6 @@
 import { createPhysicsWorld } from '@principia/physics';
 import { checkAlpha, worldSource } from '@principia/render-core';
-import { MeshBasicMaterial, PerspectiveCamera } from 'three';
+import { BufferGeometry, MeshBasicMaterial, PerspectiveCamera } from 'three';
 import { expect, it } from 'vitest';
 import { listenToBodyDragging } from './body-dragging.ts';
 import { createBodyMesh } from './body-mesh.ts';
@@ -92,5 +92,24 @@ it('draws with one material', () => {
     expect(make([new MeshBasicMaterial()], form)).toThrow('material must be one material of three');
     expect(make([new MeshBasicMaterial()], form)).toThrow('got an array: all bodies have the same');
     expect(make('red', form)).toThrow('got red');
+  }
+});
+
+it('draws with a geometry that has positions', () => {
+  const source = worldSource(world);
+  for (const geometry of [5, 'box', null, new BufferGeometry()] as BufferGeometry[]) {
+    expect(() => createBodyMesh({ source, geometry })).toThrow('geometry must be one of three with positions');
+  }
+});
+
+it('says that what was destroyed is updated', () => {
+  const source = worldSource(world);
+  for (const [maker, made] of [
+    ['createBodyMesh', createBodyMesh({ source })],
+    ['createTrailLines', createTrailLines({ source, length: 8 })],
+  ] as const) {
+    made.update(1);
+    made.destroy();
+    expect(() => made.update(1)).toThrow(`what ${maker} made was destroyed: do not update it any more`);
   }
 });

@@ -1,5 +1,6 @@
 import { type BodySource, checkOptions, type OptionNames, sourceOf } from '@principia/render-core';
 import { Group, type Intersection, Mesh, type Object3D, type Raycaster, type WebGLRenderer } from 'three';
+import { assertLive } from './assert-live.ts';
 import { colorBytes } from './body-color.ts';
 import type { BodyMeshOptions, BodyPass } from './body-pass.ts';
 import { pickBody } from './body-picker.ts';
@@ -23,6 +24,7 @@ export interface BodyMesh {
    * Call once a frame before rendering. Sends to the GPU what the source says has changed.
    *
    * @param alpha 0 draws the previous step, 1 the present one, between them a blend
+   * @throws Error when it is no number, or the mesh was destroyed
    */
   update(alpha: number): void;
   /**
@@ -54,7 +56,7 @@ const OPTION_NAMES: OptionNames<BodyMeshOptions> = {
  * of a ball and `glow` as a spot of added light. A 2D world lies in the plane z = 0; as impostors, bodies whose colliders
  * are polygons are plates, as thick as they are narrow, and capsules are capsules.
  *
- * @throws Error when there is no source, `segments` is not a whole number of at least 3, `geometry` is given for impostors, `material`
+ * @throws Error when there is no source, `segments` is not a whole number of at least 3, `geometry` is none or given for impostors, `material`
  * is none or draws another body mesh, an option does not exist, or a column has another length than `rows`
  */
 export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
@@ -75,13 +77,15 @@ export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
   passes.push(createFlatPass(source, textures));
   const object = new Group();
   let drawnAlpha = 1;
+  let live = true;
   for (const { mesh } of passes) object.add(prepared(mesh, options, target, textures));
   object.raycast = (raycaster, hits) => raycastBodies(source, object, drawnAlpha, raycaster, hits);
   return {
     object,
     update(alpha) {
-      drawnAlpha = alpha;
+      assertLive(live, 'createBodyMesh');
       textures.refresh(alpha);
+      drawnAlpha = alpha;
       for (let i = 0; i < passes.length; i++) showPass(passes[i], source.count, textures);
     },
     setOrigin(x, y, z) {
@@ -89,6 +93,7 @@ export function createBodyMesh(options: BodyMeshOptions): BodyMesh {
       for (const { mesh } of passes) mesh.position.copy(textures.centres.origin);
     },
     destroy() {
+      live = false;
       for (const pass of passes) pass.destroy();
       textures.dispose();
     },

@@ -23,6 +23,7 @@ export function createInstancedPasses(options: BodyMeshOptions, textures: BodyTe
   if (!Number.isInteger(segments) || segments < 3) {
     throw new Error(`segments must be a whole number of at least 3, got ${segments}`);
   }
+  checkGeometry(options.geometry);
   const material = options.material ?? new MeshStandardMaterial({ roughness: 0.55, metalness: 0 });
   patchMeshMaterial(material, textures.uniforms, source.dimensions);
   const shadow = createMeshShadowMaterials(textures.uniforms, source.dimensions);
@@ -49,6 +50,11 @@ export function createInstancedPasses(options: BodyMeshOptions, textures: BodyTe
     pass(ball, drawnShapes.balls, () => style.hasBalls),
     pass(new BoxGeometry(2, 2, 2), drawnShapes.boxes, () => style.hasShape(SHAPES.box)),
   ];
+}
+
+function checkGeometry(geometry: BufferGeometry | undefined): void {
+  if (geometry === undefined || geometry?.attributes?.position !== undefined) return;
+  throw new Error(`geometry must be one of three with positions, such as new ConeGeometry(1, 2), got ${geometry}`);
 }
 
 /** The vertices of `base` with the ids to draw as an instanced attribute over the very array that holds them. */

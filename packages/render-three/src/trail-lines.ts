@@ -7,6 +7,7 @@ import {
   type TrailOptions,
 } from '@principia/render-core';
 import { Group, type Object3D } from 'three';
+import { assertLive } from './assert-live.ts';
 import { trailSegments } from './shaders/trail-segments.ts';
 import { type TrailColors, TrailTextures } from './trail-textures.ts';
 import { createWideLineMesh } from './wide-line-mesh.ts';
@@ -30,6 +31,7 @@ export interface TrailLines {
    * one of each step call it after each, as in `createRunner(world, { afterStep })`.
    *
    * @param alpha blend of previous and present step that the bodies are drawn with, so that the line meets its body
+   * @throws Error when it is no number, or the lines were destroyed
    */
   update(alpha: number): void;
   /** Frees the GPU's memory; remove `object` from the scene yourself. */
@@ -73,10 +75,12 @@ export function createTrailLines(options: TrailLinesOptions): TrailLines {
   const line = createWideLineMesh(segmentEnds, uniforms, width, (renderer) => textures.beforeDrawing(renderer));
   const object = new Group().add(line.mesh);
   let poseVersion = Number.NaN;
+  let live = true;
   return {
     object,
     history,
     update(alpha) {
+      assertLive(live, 'createTrailLines');
       checkAlpha(alpha);
       if (source.versions.pose !== poseVersion) {
         poseVersion = source.versions.pose;
@@ -87,6 +91,7 @@ export function createTrailLines(options: TrailLinesOptions): TrailLines {
       line.setCount(history.count * (history.length - 1));
     },
     destroy() {
+      live = false;
       line.destroy();
       textures.dispose();
     },
