@@ -93,7 +93,7 @@ const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly Coef
 });
 
 /**
- * Reports coefficients out of bounds and corrects them; Infinity that a field takes becomes what stands for it. Every step checks those by which bodies are
+ * Reports coefficients out of bounds and corrects them; Infinity becomes the bound where that stands for it. Every step checks those by which bodies are
  * coupled. Of the others it checks a 128th, so that an invalid value is found within 128 steps; reading every column in every
  * step would slow particles down by a third.
  */
@@ -164,8 +164,8 @@ function correctRows(
   for (let row = first; row < last; row++) {
     const value = column[row];
     if (value === 0 || (value >= min && value <= max)) continue;
-    const isStored = value === Infinity && infinite !== undefined;
-    column[row] = isStored ? infinite : nearestValid(value, coefficient);
+    const isStored = value === Infinity && infinite === max;
+    column[row] = isStored ? max : nearestValid(value, coefficient);
     if (isStored || !isOpen(world, row, component)) continue;
     const code = Number.isFinite(value) ? 'E_RANGE' : 'E_NONFINITE';
     const described = hint === undefined ? {} : { hint };
