@@ -93,9 +93,9 @@ const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly Coef
 });
 
 /**
- * Reports coefficients out of bounds and corrects them; Infinity becomes the bound where that stands for it. Every step checks those by which bodies are
- * coupled. Of the others it checks a 128th, so that an invalid value is found within 128 steps; reading every column in every
- * step would slow particles down by a third.
+ * Reports coefficients out of bounds and corrects them; Infinity becomes the bound where that stands for it. Every step checks those
+ * by which bodies are coupled. Of the others it checks a 128th, so that an invalid value is found within 128 steps; reading every
+ * column in every step would slow particles down by a third.
  */
 export function validateCoefficients(world: PhysicsWorld): void {
   const { engine, coupling, all } = currentWatch(world);
