@@ -36,9 +36,6 @@ function allocateDoubles(world: PhysicsWorld, doubles: number): number {
   return allocate(world.internal.arena, 8 * doubles, 'parameters of laws');
 }
 
-/** Bytes of a world's memory reserved for parameters. */
-export const PARAMETER_BYTES = 8 * REGION_DOUBLES + 64;
-
 function reserveDoubles(world: PhysicsWorld, doubles: number): number {
   const region = regionOf(world);
   const usage = usageOf(world);

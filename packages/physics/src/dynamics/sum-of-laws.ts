@@ -108,6 +108,6 @@ export function velocityChange(columns: WorldColumns, { force, acceleration }: S
   });
 }
 
-export function addAxes(graph: Graph, a: Axes, b: Axes): Axes {
+function addAxes(graph: Graph, a: Axes, b: Axes): Axes {
   return eachAxis((i) => graph.make('add', [a[i], b[i]]));
 }

@@ -99,7 +99,7 @@ function saveAngles(world: PhysicsWorld, first: number, last: number): void {
 }
 
 /** Returns whether all positions and velocities are finite and within their limits. */
-export function isInRange(world: PhysicsWorld, first: number, last: number): boolean {
+function isInRange(world: PhysicsWorld, first: number, last: number): boolean {
   const { kernels, addresses } = world;
   const { Position, Velocity } = addresses;
   let valid = 1;

@@ -91,7 +91,7 @@ export function writeRow(world: PhysicsWorld, eid: number, name: ComponentName, 
 /** So many new parts are noted; after more of them all parts are looked through. */
 export const MAX_NEW_PARTS = 4096;
 
-export function noteNewPart({ internal: { newParts } }: PhysicsWorld, part: number): void {
+function noteNewPart({ internal: { newParts } }: PhysicsWorld, part: number): void {
   if (newParts.length < MAX_NEW_PARTS) newParts.push(part);
 }
 

@@ -79,7 +79,7 @@ interface MutualSpec {
 }
 
 /** Number of bodies above which the tree is faster, by precision and dimensions; measured at an error of 0.5 %. */
-export const TREE_FROM = { f32: { 2: 1200, 3: 2600 }, f64: { 2: 800, 3: 2200 } } as const;
+const TREE_FROM = { f32: { 2: 1200, 3: 2600 }, f64: { 2: 800, 3: 2200 } } as const;
 
 const SAMPLES = 1024;
 

@@ -60,7 +60,7 @@ export function addPlainObjects({ faults, versions, ranges, internal }: PhysicsW
 }
 
 /** Kernels and event listeners are not state. */
-export function isState(key: object): boolean {
+function isState(key: object): boolean {
   return key instanceof ResourceKey && !key.excludeFromSnapshot;
 }
 

@@ -4,7 +4,7 @@ import { PHASES, type Phase } from './phases.ts';
 import type { Force, Fusion, GlobalSystem, LocalSystem, PhysicsWorld, Plan, System } from './types.ts';
 
 /** Hint of errors about values that are not forces. */
-export const FORCE_HINT = 'Create forces with a function such as uniformGravity() or defineForce({ … }).';
+const FORCE_HINT = 'Create forces with a function such as uniformGravity() or defineForce({ … }).';
 
 /**
  * @throws PhysicsError E_TYPE, naming the first value that is not a force; E_RANGE

@@ -19,7 +19,7 @@ const INTEGER_BYTES = 16;
  * index 0, because `Collider.radius` says all about it.
  * @throws PhysicsError E_CAPACITY when the world's memory is full
  */
-export function shapeIndex(world: PhysicsWorld, shape: Shape): number {
+function shapeIndex(world: PhysicsWorld, shape: Shape): number {
   if (shape.kind === 'circle') return 0;
   const pool = shapePool(world);
   forgetSettled(world, pool);

@@ -4,7 +4,7 @@ import { checkNumber } from '../../../errors/validate.ts';
 export const MIN_LENGTH = 1e-5;
 
 /** Greatest coordinate and size, m. */
-export const MAX_LENGTH = 1e6;
+const MAX_LENGTH = 1e6;
 
 /** Kernels have room for this number of vertices. */
 export const MAX_VERTICES = 8;
