@@ -23,6 +23,7 @@ import {
   pointOf,
 } from '../../collision/narrow-phase/2d/rigid-contact';
 import { DRIVEN, DYNAMIC, KINEMATIC, LOCKED, LOOPED, flagsOf, poseOf, putWord, stateOf, word } from './body';
+import { noteDeepPair } from './deep-pairs';
 import { islandOf, labelIslands } from './islands';
 import { RigidTable } from './rigid-table';
 
@@ -78,6 +79,7 @@ const SIZE: usize = (offsetof<Crowd>() + 7) & ~7;
   if (isDeep(t, contact)) {
     contact.flags |= IS_DEEP;
     t.deepCount++;
+    noteDeepPair(t, contact);
   } else contact.flags &= ~IS_DEEP;
 }
 

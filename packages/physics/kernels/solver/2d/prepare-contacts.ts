@@ -39,6 +39,7 @@ const REST: real = 1.01;
 export function prepareContacts(table: usize): void {
   const t = changetype<RigidTable>(table);
   t.deepCount = 0;
+  t.deepPairCount = 0;
   t.hitCount = 0;
   t.bouncyCount = 0;
   const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);

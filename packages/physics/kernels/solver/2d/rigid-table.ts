@@ -189,6 +189,8 @@ export class RigidTable {
   landingCount: i32;
   // Joints that close loops in this step.
   loopCount: i32;
+  // Deep contacts with two points of bodies that touch nothing else.
+  deepPairCount: i32;
   // Contacts of deep overlap in this step; by row: class Crowd; the rows of the bodies in crowds, ascending (crowds.ts).
   deepCount: i32;
   crowds: usize;

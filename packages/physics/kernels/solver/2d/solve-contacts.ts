@@ -14,6 +14,7 @@
 import { add, larger, mul, smaller, splat, sub } from '../../memory/lanes';
 import * as block from './contact-block';
 import { MOVEMENT, lanesW, lanesX, lanesY, lanesZ, scatter } from './gather-lanes';
+import { DEEP_PASSES, deepPairLanes } from './deep-pairs';
 import { RigidTable } from './rigid-table';
 
 // The second point of round bodies has no mass.
@@ -91,6 +92,7 @@ export function relaxContacts(table: usize): void {
   const none = i32x4.splat(0);
   for (let i = 0; i < t.blockCount; i++) relaxBlock(block.blockOf(t, i), inverseH, all, none);
   if (t.hitCount > 0) solveHits(t, inverseH, inverseH, false);
+  if (t.deepPairCount > 0) relaxDeepPairs(t, inverseH);
 }
 
 // Additional passes for contacts with two points that an impact hits: what one point takes turns the body, which changes the load of
@@ -108,6 +110,16 @@ function solveHits(t: RigidTable, inverseH: v128, slowest: v128, soft: bool): vo
       if (soft) solveBlock(at, inverseH, slowest, true, true, hit, all);
       else relaxBlock(at, inverseH, hit, all);
     }
+  }
+}
+
+function relaxDeepPairs(t: RigidTable, inverseH: v128): void {
+  const all = i32x4.splat(-1);
+  for (let i = 0; i < t.blockCount; i++) {
+    const at = block.blockOf(t, i);
+    const lanes = deepPairLanes(t, at);
+    if (!v128.any_true(lanes)) continue;
+    for (let pass = 0; pass < DEEP_PASSES; pass++) relaxBlock(at, inverseH, lanes, all);
   }
 }
 

@@ -96,6 +96,8 @@ export const ON_CHAIN: u32 = 32768;
 // Whose corners the points are: FIRST_OF_B, SECOND_OF_B and KNOWN of manifold.ts from this bit on.
 export const CORNERS_SHIFT: u32 = 16;
 export const CORNERS: u32 = 7 << CORNERS_SHIFT;
+// It is deep, has two points, and neither body touches anything else (solver/2d/deep-pairs.ts).
+export const IS_DEEP_PAIR: u32 = 1 << 19;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {
