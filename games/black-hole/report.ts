@@ -5,8 +5,8 @@ import { headingOf } from './heading.ts';
 import type { BlackHoleGame } from './sim.ts';
 import { WORDS } from './words.ts';
 
-/** The result for the card with the high scores; a demo or autopilot game, or one that began higher, is not ranked. */
-export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Outcome | undefined {
+/** The result for the card with the high scores; a demo, a game in which the autopilot flew, or one that began higher is not ranked. */
+export function outcomeOf({ rules, isDemo, seed }: BlackHoleGame): Outcome | undefined {
   if (rules.phase !== 'over' || isDemo) return undefined;
   const { score, bonus, dodged, slingshots } = rules;
   const cleared = dodged - rules.firstLevel + 1;
@@ -18,7 +18,7 @@ export function outcomeOf({ rules, isDemo, autopilot, seed }: BlackHoleGame): Ou
   const day = dayOfSeed(seed);
   return {
     title: day === undefined ? WORDS.over : WORDS.dailyTitle(unbroken(day)),
-    score: autopilot || !isWhole ? 0 : score + bonus,
+    score: rules.isAssisted || !isWhole ? 0 : score + bonus,
     lines,
     // The number after the seed of a day is that of the next day.
     ...(day === undefined ? {} : { nextSeed: 1 }),

@@ -41,3 +41,27 @@ it('after a rewind the log contains only inputs that are still valid', () => {
   expect(again.hash()).toBe(game.hash());
   expect(game.log.entries.map(({ input }) => input)).toEqual(['up', 'right', 'release']);
 });
+
+it('a player who holds nothing lets go of what a restored moment holds', () => {
+  const game = createGame({ values: { ...VALUES, autopilot: false }, seed: 4 });
+  game.press('up');
+  run(game, 0.5);
+  const taken = snapshot(game.world);
+  game.press('release');
+  run(game, 0.5);
+  restore(game.world, taken);
+  expect(game.rules.push).toBeDefined();
+  game.letGo();
+  run(game, 0.1);
+  expect(game.rules.push).toBeUndefined();
+});
+
+it('a game in which the autopilot flew is not ranked, whoever flew last', () => {
+  const game = createGame({ values: VALUES, seed: 1 });
+  run(game, 3);
+  game.press('no autopilot');
+  run(game, 0.1);
+  expect(game.rules.isAssisted).toBe(true);
+  game.rules.restart();
+  expect(game.rules.isAssisted).toBe(false);
+});

@@ -56,6 +56,8 @@ export class Rules {
   hasBegun = false;
   lives = LIVES;
   score = 0;
+  /** Whether the autopilot has flown in this game. */
+  isAssisted = false;
   bonus = 0;
   /** Levels cleared. */
   dodged = 0;
@@ -124,7 +126,15 @@ export class Rules {
   /** Starts a new game with the first layouts of the seed. */
   restart(): void {
     const dodged = this.firstLevel - 1;
-    Object.assign(this, { lives: LIVES, score: 0, bonus: 0, slingshots: 0, dodged, hasBegun: false });
+    Object.assign(this, {
+      lives: LIVES,
+      score: 0,
+      bonus: 0,
+      slingshots: 0,
+      dodged,
+      hasBegun: false,
+      isAssisted: false,
+    });
     this.#scene.rewind();
     this.#newHoles(true);
     this.#newFlight();

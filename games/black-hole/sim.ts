@@ -93,6 +93,12 @@ export class BlackHoleGame {
     this.press(pushOf(x, y) ?? 'release');
   }
 
+  /** Switches an engine off that a restored moment has on, unless the log of an earlier game does so. */
+  letGo(): void {
+    const isFlownByPlayer = !this.isReplay && !this.isDemo && !this.autopilot;
+    if (this.rules.push !== undefined && isFlownByPlayer) this.press('release');
+  }
+
   /** Whether the inputs come from the log of an earlier game. */
   get isReplay(): boolean {
     return this.log.isScripted;
@@ -150,6 +156,7 @@ export class BlackHoleGame {
     rules.launch();
     if (rules.phase !== 'flying') return;
     rules.record.markAssisted();
+    rules.isAssisted = true;
     const heading = this.#pilot.steer(dt);
     rules.push = heading === undefined ? undefined : DIRECTIONS[heading];
   }

@@ -31,6 +31,7 @@ startGame({
       name === 'action'
         ? controls.fire(sim, KEYBOARD_POINTER, sim.crosshair)
         : sim.press({ do: 'steer', way: name as Direction, on: false }),
+    letGo: (sim) => sim.letGo(),
   },
   renderers: {
     pixi: {

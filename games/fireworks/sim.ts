@@ -138,6 +138,13 @@ export class FireworksGame {
     this.log.add(input);
   }
 
+  /** Lets go of the keys that a restored moment has down. */
+  letGo(): void {
+    for (const [way, on] of Object.entries(this.#pressedKeys)) {
+      if (on) this.press({ do: 'steer', way: way as Direction, on: false });
+    }
+  }
+
   /** Power of the shell that a pointer holds, 0 to 1. @param kind index of the chosen kind */
   powerOf(finger: number, kind: number): number {
     const since = this.#heldSince(finger);

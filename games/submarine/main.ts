@@ -20,6 +20,11 @@ startGame({
     buttons: { ...FOUR_WAYS, action: { label: '●', keys: ['x', 'enter'], pad: [0] } },
     press: (sim, name) => sim.press(name),
     release: (sim, name) => sim.release(name),
+    letGo: (sim) => sim.steer(0, 0),
+    exclusive: [
+      ['left', 'right'],
+      ['up', 'down'],
+    ],
   },
   renderers: {
     pixi: { label: '2D', dimensions: 2, open: async (context) => (await import('./view.ts')).openView(context) },

@@ -17,6 +17,14 @@ function hold(game: SubmarineGame, name: string, seconds: number): void {
 }
 
 describe('the boat', () => {
+  test('stands still when all is let go after a moment was restored', () => {
+    const game = open();
+    game.press('right');
+    game.press('down');
+    game.steer(0, 0);
+    expect([game.boat.engine, Math.abs(game.boat.valve)]).toEqual([0, 0]);
+  });
+
   test('floats with nine tenths of its hull under water', () => {
     const game = open();
     run(game, 60);

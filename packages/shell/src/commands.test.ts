@@ -21,7 +21,7 @@ it('gives every key a line of the help, and every line a key', () => {
   const { done, actions } = recorded();
   const { pressed, released, help } = gameCommands(plain, actions);
   for (const key of ['s', '-', 'b']) pressed[key]();
-  released.b();
+  released.b(false);
   expect(done).toEqual(['slow s', 'zoom 0.8', 'rewind true', 'rewind false']);
   expect(help).toContainEqual(['.', 'one step']);
   // Arrow keys steer or do nothing: who presses one expects no pause.

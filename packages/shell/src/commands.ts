@@ -1,5 +1,5 @@
 import type { GameDefinition, Simulation } from './game.ts';
-import type { Keys } from './keyboard.ts';
+import type { Keys, ReleasedKeys } from './keyboard.ts';
 import type { Settings } from './settings.ts';
 import { touchHelp } from './touch-help.ts';
 import { words } from './words.ts';
@@ -8,7 +8,7 @@ import { words } from './words.ts';
 export interface Actions {
   pause(): void;
   /** The space bar goes down or up: a drag pans while it is down, and without a drag it pauses. */
-  spaceBar(down: boolean): void;
+  spaceBar(down: boolean, isLost?: boolean): void;
   step(): void;
   reset(): void;
   /** Replays the game from its beginning. */
@@ -44,7 +44,7 @@ interface Command {
   readonly shown: string;
   readonly description: string;
   readonly press: (key: string) => void;
-  readonly release?: () => void;
+  readonly release?: (isLost: boolean) => void;
 }
 
 /**
@@ -52,7 +52,7 @@ interface Command {
  */
 export interface Commands {
   readonly pressed: Keys;
-  readonly released: Keys;
+  readonly released: ReleasedKeys;
   /** Pairs of keys or gestures and their descriptions: the game's own first. */
   readonly help: readonly (readonly [string, string])[];
   /** The lines of the help that a touch screen without a keyboard needs. */
@@ -66,7 +66,7 @@ export function gameCommands<S extends Settings, Sim extends Simulation>(
   const steering = Object.values(game.controls?.buttons ?? {}).flatMap(({ keys }) => keys);
   const taken = new Set<string>(steering);
   const pressed: Record<string, () => void> = {};
-  const released: Record<string, () => void> = {};
+  const released: Record<string, (isLost: boolean) => void> = {};
   const help: (readonly [string, string])[] = [];
   const again: Command = {
     keys: ['z'],
@@ -135,7 +135,7 @@ function common(actions: Actions): Command[] {
       shown: words().space,
       description: keys.pause,
       press: () => actions.spaceBar(true),
-      release: () => actions.spaceBar(false),
+      release: (isLost) => actions.spaceBar(false, isLost),
     },
     { keys: ['.'], shown: '.', description: keys.step, press: step },
     { keys: [','], shown: ',', description: keys.stepBack, press: stepBack },

@@ -1,4 +1,5 @@
 import { element } from './element.ts';
+import { HeldButtons } from './held-buttons.ts';
 import type { KeyTarget } from './keyboard.ts';
 import { createTouchStick, Stick } from './stick.ts';
 import { words } from './words.ts';
@@ -23,6 +24,11 @@ export interface ControlButton {
 export interface Controls<Sim> {
   /** The buttons by name. */
   readonly buttons: Readonly<Record<string, ControlButton>>;
+  /**
+   * Groups of buttons of which only the one pressed last counts, such as directions: when it is let go, the one before it that is still
+   * held is pressed again, and `release` follows the last of them. Default none.
+   */
+  readonly exclusive?: readonly (readonly string[])[];
   /** Shows the touch pad to a mouse too, which has no other way to these buttons; default false. */
   readonly forMouse?: boolean;
   /** The player presses a button: once, however many keys, fingers and gamepads hold it. */
@@ -34,6 +40,11 @@ export interface Controls<Sim> {
    * it is released. The touch pad then has a stick in place of the four directions.
    */
   steer?(sim: Sim, x: number, y: number): void;
+  /**
+   * Lets go of what the simulation holds to be pressed, after a moment of the past was restored in which something was that is not now.
+   * Default nothing.
+   */
+  letGo?(sim: Sim): void;
 }
 
 /** The listener for keyboard, touch and gamepad input. */
@@ -42,6 +53,8 @@ export interface ControlListener {
   poll(): void;
   /** Releases all buttons, as when the window loses the focus. */
   releaseAll(): void;
+  /** Lets go of what is held in a moment that was restored, unless the player holds anything now. */
+  restore(): void;
   /** Releases all buttons, removes the touch pad and stops listening. */
   destroy(): void;
 }
@@ -55,37 +68,6 @@ const NO_GAMEPADS: readonly Gamepad[] = [];
 /** Each call of `getGamepads` allocates a list, so it is not called before a gamepad is connected. */
 function connectedGamepads(): readonly (Gamepad | null)[] {
   return hasGamepad ? (navigator.getGamepads?.() ?? NO_GAMEPADS) : NO_GAMEPADS;
-}
-
-/** Counts the inputs that hold each button, so that two inputs on one button cause one press. */
-class HeldButtons {
-  readonly #holders = new Map<string, Set<string>>();
-  readonly #press: (name: string) => void;
-  readonly #release: (name: string) => void;
-
-  constructor(press: (name: string) => void, release: (name: string) => void) {
-    this.#press = press;
-    this.#release = release;
-  }
-
-  /** @param holder the input that holds the button: a key, a pointer or a gamepad */
-  set(name: string, holder: string, down: boolean): void {
-    const holders = this.#holders.get(name) ?? new Set();
-    this.#holders.set(name, holders);
-    const before = holders.size;
-    if (down) holders.add(holder);
-    else holders.delete(holder);
-    if (before === 0 && holders.size > 0) this.#press(name);
-    if (before > 0 && holders.size === 0) this.#release(name);
-  }
-
-  clear(): void {
-    for (const [name, holders] of this.#holders) {
-      if (holders.size === 0) continue;
-      holders.clear();
-      this.#release(name);
-    }
-  }
 }
 
 /**
@@ -105,8 +87,8 @@ export function listenToControls<Sim>(
   const { buttons } = controls;
   const stick = controls.steer && new Stick((x, y) => controls.steer?.(sim(), x, y));
   const held = new HeldButtons(
-    (name) => controls.press(sim(), name),
-    (name) => controls.release(sim(), name),
+    { press: (name) => controls.press(sim(), name), release: (name) => controls.release(sim(), name) },
+    controls.exclusive,
   );
   const stopKeys = listenToHeldKeys(buttons, held, within);
   const pad = createTouchPad(buttons, held, stick);
@@ -114,7 +96,7 @@ export function listenToControls<Sim>(
   parent.append(pad);
   const releaseAll = () => {
     held.clear();
-    stick?.set(0, 0);
+    stick?.releaseAll();
   };
   globalThis.addEventListener('blur', releaseAll);
   const noticeGamepad = () => {
@@ -123,6 +105,12 @@ export function listenToControls<Sim>(
   // A gamepad that was used while the page loaded causes no further `gamepadconnected` event.
   if (navigator.getGamepads?.().some((gamepad) => gamepad !== null)) noticeGamepad();
   globalThis.addEventListener('gamepadconnected', noticeGamepad);
+  // What is unplugged while it is pushed can no longer be let go.
+  const dropGamepad = ({ gamepad: { index } }: GamepadEvent) => {
+    held.drop(holderOf(index));
+    stick?.set(0, 0, index);
+  };
+  globalThis.addEventListener('gamepaddisconnected', dropGamepad);
   return {
     poll() {
       const present = gamepads();
@@ -134,10 +122,14 @@ export function listenToControls<Sim>(
       }
     },
     releaseAll,
+    restore() {
+      if (!held.isAnyHeld && stick?.isPushed !== true) controls.letGo?.(sim());
+    },
     destroy() {
       stopKeys();
       globalThis.removeEventListener('blur', releaseAll);
       globalThis.removeEventListener('gamepadconnected', noticeGamepad);
+      globalThis.removeEventListener('gamepaddisconnected', dropGamepad);
       pad.remove();
       releaseAll();
     },
@@ -152,9 +144,10 @@ function listenToHeldKeys(
   const names = new Map(Object.entries(buttons).flatMap(([name, { keys }]) => keys.map((key) => [key, name])));
   const listen = (event: KeyboardEvent) => {
     const name = names.get(event.key.toLowerCase());
-    if (name === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
-    const target = event.target as Element | null;
     const down = event.type === 'keydown';
+    // A key that is let go counts with whichever other key is held by then.
+    if (name === undefined || (down && (event.ctrlKey || event.metaKey || event.altKey))) return;
+    const target = event.target as Element | null;
     if (down && target?.closest?.('input, select, textarea, [contenteditable], dialog')) return;
     // What has the focus is pressed by this key.
     if (down && event.key === 'Enter' && target?.closest?.('button, a, summary')) return;
@@ -204,6 +197,8 @@ function createTouchPad(
   return pad;
 }
 
+const holderOf = (index: number) => `gamepad ${index}`;
+
 /** Handles releases first: a stick moved from one direction to another then ends with the other one pressed. */
 function readGamepad(
   gamepad: Gamepad,
@@ -215,7 +210,7 @@ function readGamepad(
     for (const [name, { pad = [], axis }] of Object.entries(buttons)) {
       const isPushed = usesAxes && axis !== undefined && (gamepad.axes[axis[0]] ?? 0) * axis[1] > AXIS_THRESHOLD;
       const isDown = isPushed || pad.some((index) => gamepad.buttons[index]?.pressed);
-      if (isDown === wanted) held.set(name, `gamepad ${gamepad.index}`, isDown);
+      if (isDown === wanted) held.set(name, holderOf(gamepad.index), isDown);
     }
   }
 }

@@ -46,7 +46,7 @@ export function createActions<S extends Settings, Sim extends Simulation>(app: A
       app.pause(true);
       failures.guard(() => session.step());
     },
-    spaceBar: (down) => app.space.set(down),
+    spaceBar: (down, isLost) => app.space.set(down, isLost),
     reset: () => {
       failures.guard(() => app.reset());
       app.views.view?.fit();

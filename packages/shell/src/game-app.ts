@@ -236,6 +236,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   /** A restored snapshot lies before the error. */
   restorePast(move: () => boolean): void {
     if (!move()) return;
+    this.#controls?.restore();
     this.#broken = false;
     this.#sinceStats = STATS_INTERVAL;
     this.sidebar?.panel.refresh();

@@ -4,13 +4,16 @@ export type KeyTarget = Pick<HTMLElement, 'addEventListener' | 'removeEventListe
 /** Actions by key: the value of `KeyboardEvent.key` in lower case. */
 export type Keys = Readonly<Record<string, () => void>>;
 
+/** What follows when a key is let go; `isLost` where the page lost the focus and will not hear of it. */
+export type ReleasedKeys = Readonly<Record<string, (isLost: boolean) => void>>;
+
 /**
  * Listens to keys on the whole page, except in input fields and on focused buttons that use the same key. A held key
  * acts once if its release has an action too. Returns a function that stops listening.
  *
  * @param within hears the keys, while it or an element in it has the focus; default the whole page
  */
-export function listenToKeys(pressed: Keys, released: Keys = {}, within: KeyTarget = document): () => void {
+export function listenToKeys(pressed: Keys, released: ReleasedKeys = {}, within: KeyTarget = document): () => void {
   const held = new Set<string>();
   const press = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
@@ -27,12 +30,12 @@ export function listenToKeys(pressed: Keys, released: Keys = {}, within: KeyTarg
     }
     action();
   };
-  const releaseKey = (key: string) => {
-    if (held.delete(key)) released[key]();
+  const releaseKey = (key: string, isLost: boolean) => {
+    if (held.delete(key)) released[key](isLost);
   };
-  const release = (event: KeyboardEvent) => releaseKey(event.key.toLowerCase());
+  const release = (event: KeyboardEvent) => releaseKey(event.key.toLowerCase(), false);
   const releaseAll = () => {
-    for (const key of [...held]) releaseKey(key);
+    for (const key of [...held]) releaseKey(key, true);
   };
   within.addEventListener('keydown', press);
   document.addEventListener('keyup', release);

@@ -9,8 +9,13 @@ export function plainNumber(typed: string, isWhole = false): string {
   if (isWhole) return text.replace(/[.,\s](?=\d{3}(\D|$))/g, '').replace(',', '.');
   // Of two signs the last is the decimal one, and the others separate thousands.
   const last = Math.max(text.lastIndexOf(','), text.lastIndexOf('.'));
-  if (last < 0) return text;
-  return `${text.slice(0, last).replace(/[.,]/g, '')}.${text.slice(last + 1)}`;
+  if (last < 0) return withoutSpaces(text);
+  return `${withoutSpaces(text.slice(0, last)).replace(/[.,]/g, '')}.${text.slice(last + 1)}`;
+}
+
+/** Without the spaces between groups of three digits. */
+function withoutSpaces(text: string): string {
+  return text.replace(/\s(?=\d{3}(\D|$))/g, '');
 }
 
 const { get, set } = (typeof HTMLInputElement === 'undefined'

@@ -16,10 +16,11 @@ export class SpaceBar {
     stage.addEventListener('pointerdown', use, { capture: true });
   }
 
-  set(down: boolean): void {
+  /** @param isLost let go because the page lost the focus, which is no tap */
+  set(down: boolean, isLost = false): void {
     if (down === this.isHeld) return;
     this.isHeld = down;
-    if (!down && !this.#wasUsed) this.#onTap();
+    if (!down && !this.#wasUsed && !isLost) this.#onTap();
     this.#wasUsed = false;
   }
 }

@@ -37,3 +37,21 @@ it('ignores the rest of a worn gamepad, and grows steadily from there', () => {
     [0, 0],
   ]);
 });
+
+it('follows the stick that is pushed farthest, and an idle gamepad beside it changes nothing', () => {
+  const { seen, stick } = recorded();
+  const read = (index: number, x: number) => stick.read({ index, axes: [x, 0] } as unknown as Gamepad);
+  for (let frame = 0; frame < 3; frame++) {
+    read(0, 0);
+    read(1, 1);
+  }
+  stick.set(0, 0.5);
+  read(1, 0);
+  stick.releaseAll();
+  read(1, 0);
+  expect(seen).toEqual([
+    [1, 0],
+    [0, 0.5],
+    [0, 0],
+  ]);
+});
