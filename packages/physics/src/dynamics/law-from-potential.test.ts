@@ -146,6 +146,11 @@ describe('the derivative of', () => {
     'turned vectors': (r, { a }, rotate) => rotate(r.mul(r.x)).dot(a),
     'sums over tables': (r, { rows, k }) =>
       rows.sum(({ x, y, q }) => q.div(r.sub(vec3(x, y)).length())).mul(r.x.mul(k)),
+    'squares of sums of vectors': (r, { rows }) => rows.sum(({ x, y, q }) => r.sub(vec3(x, y)).mul(q)).lengthSquared(),
+    'products of sums of vectors': (r, { rows }) => {
+      const [a, b] = [0.3, 2].map((k) => rows.sum(({ x, y, q }) => vec3(r.x.mul(x), r.y.mul(k), r.z.mul(q)).mul(y)));
+      return a.dot(b).add(a.length());
+    },
     'sums of vectors': (r, { rows }) => rows.sum(({ x, y, q }) => r.sub(vec3(x, y)).mul(q.mul(r.x))).dot(r),
   };
 

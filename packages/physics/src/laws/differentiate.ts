@@ -6,6 +6,7 @@
 // NaN. Source: Griewank, Walther: Evaluating Derivatives, 2nd ed., section 3.2.
 import { PhysicsError } from '../errors/physics-error.ts';
 import { axial3, constant, Expression, type Scalar, select, Vector, vec3 } from './expression.ts';
+import { containsSum, sumApart } from './rename-rows.ts';
 import type { SumScope } from './table.ts';
 
 /** Returns the gradient of `potential` times a factor. @throws PhysicsError E_TYPE if it is not differentiable */
@@ -69,9 +70,15 @@ class Gradient {
       case 'max':
         return select((a as Scalar).less(b as Scalar), this.of(b, adjoint), this.of(a, adjoint));
       default:
-        if (a.shape === 'vector') return new Vector('sum', [this.of(a, adjoint)], data as SumScope);
+        if (a.shape === 'vector') return this.#ofVectorSum(a, adjoint, data as SumScope);
         return scaled(new Vector('sum', [this.of(a, constant(1))], data as SumScope), adjoint as Scalar);
     }
+  }
+
+  /** As part of the term, the derivative with respect to the sum may depend on this sum itself, which is computed before. */
+  #ofVectorSum(term: Expression, adjoint: Expression, scope: SumScope): Vector {
+    const gradient = this.of(term, adjoint);
+    return containsSum(adjoint) ? sumApart(gradient, scope) : new Vector('sum', [gradient], scope);
   }
 
   /** Returns whether an expression depends on the position. */
