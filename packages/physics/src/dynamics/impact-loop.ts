@@ -3,11 +3,12 @@
 //
 // It starts from the scratch columns `stage1` (position) and `stage2` (velocity), lasts what the column `force.x` says, and
 // leaves its result where it started. Schemes that are one loop with all laws use none of these columns. Forces that change
-// with time are those of the stages of the whole step.
+// with time are those of the time in the parameter block, which is one body's: where there are such, bodies are run one by
+// one. `dt` in a law is the whole step, because noise is drawn once for that.
 import type { RealColumn } from '../components/define.ts';
 import type { Loop } from '../laws/compile.ts';
 import type { LoopSource, Store } from '../laws/loop-source.ts';
-import { readsMotion } from '../laws/structure.ts';
+import { readsMotion, readsTime } from '../laws/structure.ts';
 import { AXES } from '../memory/axes.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Scheme } from '../world/types.ts';
@@ -26,6 +27,8 @@ export interface ImpactLoop {
   readonly position: readonly RealColumn[];
   readonly velocity: readonly RealColumn[];
   readonly duration: RealColumn;
+  /** Whether forces change with time, so that the block must have the time of the body. */
+  readonly isTimed: boolean;
 }
 
 /**
@@ -39,8 +42,10 @@ export const impactLoop = cachedWithPlan((world): ImpactLoop | undefined => {
   // The way begins at the saved pose.
   if (internal.plan?.isStartCurrent !== true) return undefined;
   if (integrator.order < 2 || (integrator.velocityLag ?? 0) !== 0 || scheme.memory.length > 0) return undefined;
-  // A scheme with parameters, as Boris's, has forces of its own.
-  if (scheme.parameters.length === 0 && !laws.some(({ law }) => readsMotion(law))) return undefined;
+  const isTimed = [scheme, ...laws].some(changesInStep) || laws.some(({ law }) => readsTime(law));
+  // A scheme with parameters, as Boris's, has forces of its own. The mean of a force of time alone is of second order.
+  const isUneven = scheme.parameters.length > 0 || laws.some(({ law }) => readsMotion(law));
+  if (!isUneven && !(isTimed && integrator.order > 2)) return undefined;
   const owners = ownersOf(scheme, laws);
   const block = new ParameterBlock(world, [...owners.values()], scheme.stages);
   const sources = [...owners.values()].map(variantOf);
@@ -55,8 +60,13 @@ export const impactLoop = cachedWithPlan((world): ImpactLoop | undefined => {
     position: AXES[dimensions].map((axis) => view(scratch.at.stage1[axis])),
     velocity: AXES[dimensions].map((axis) => view(scratch.at.stage2[axis])),
     duration: view(scratch.at.force.x),
+    isTimed,
   };
 });
+
+function changesInStep({ sources }: Pick<ParameterOwner, 'sources'>): boolean {
+  return sources.some(({ when }) => when === 'stage');
+}
 
 function impactLoopSource(
   block: ParameterBlock,
@@ -71,6 +81,7 @@ function impactLoopSource(
     position: columns.axes(stage1),
     velocity: columns.axes(stage2),
     duration: columns.graph.make('real', [], force.x),
+    length: columns.load(block.part),
   };
   const { position, velocity } = lowerScheme(columns, scheme, laws, { vectors: [], body: undefined }, start).result;
   const stores = columns.axisNames.flatMap((axis, i): Store[] => [

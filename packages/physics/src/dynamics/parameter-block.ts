@@ -18,7 +18,15 @@ export function variantOf({ sources }: ParameterOwner): unknown {
 }
 
 /** Indices of the header values that precede the parameters. */
-const [DT, TIME, TICK, LAST_DT, HEADER] = [0, 1, 2, 3, 4];
+const [DT, TIME, TICK, LAST_DT, PART, HEADER] = [0, 1, 2, 3, 4, 5];
+
+const HEADER_NOTES = [
+  'length of the step',
+  'time',
+  'number of the step',
+  'length of the last step',
+  'length of the part of the step',
+];
 
 /** Initial capacity for a world's parameters, in f64; more is allocated when needed. */
 const REGION_DOUBLES = 512;
@@ -53,6 +61,8 @@ interface Writer {
   readonly source: ParameterSource;
   readonly index: number;
   readonly fraction: number;
+  /** Whether the value is that of the stage, instead of the step. */
+  readonly isOfStage: boolean;
 }
 
 /** The addresses of the parameters of one loop. */
@@ -98,11 +108,15 @@ export class ParameterBlock {
   get lastDt(): number {
     return this.at + 8 * LAST_DT;
   }
+  /** Length of the part of the step that is taken: all of it after `write`. */
+  get part(): number {
+    return this.at + 8 * PART;
+  }
 
   /** Describes the value at an address of the block, for printed loops. */
   noteOf(address: number): string | undefined {
     const index = (address - this.at) / 8;
-    if (index < HEADER) return ['length of the step', 'time', 'number of the step', 'length of the last step'][index];
+    if (index < HEADER) return HEADER_NOTES[index];
     for (const [{ parameters, sources, names }, starts] of this.#starts) {
       const p = starts.findLastIndex((start) => start <= index);
       if (p < 0) continue;
@@ -127,6 +141,7 @@ export class ParameterBlock {
     values[TIME] = time;
     values[TICK] = this.world.tick;
     values[LAST_DT] = lastDt;
+    values[PART] = dt;
     const writers = this.#writers;
     for (let w = 0; w < writers.length; w++) {
       const { source, index, fraction } = writers[w];
@@ -134,14 +149,28 @@ export class ParameterBlock {
     }
   }
 
+  /** Writes the values that change within the step, for a part of it that begins at `time`. */
+  writePart(time: number, length: number): void {
+    const values = this.#values;
+    values[TIME] = time;
+    values[PART] = length;
+    const writers = this.#writers;
+    for (let w = 0; w < writers.length; w++) {
+      const { source, index, fraction, isOfStage } = writers[w];
+      if (isOfStage) source.write(this.world, values, index, time + fraction * length);
+    }
+  }
+
   #addWriters(owner: ParameterOwner): void {
     const starts = this.#starts.get(owner) as readonly number[];
     owner.sources.forEach((source, p) => {
       if (source.when === 'once') source.write(this.world, this.#values, starts[p], 0);
-      else if (source.when === 'step') this.#writers.push({ source, index: starts[p], fraction: 0 });
-      else {
+      else if (source.when === 'step') {
+        this.#writers.push({ source, index: starts[p], fraction: 0, isOfStage: false });
+      } else {
         this.#stages.forEach((fraction, stage) => {
-          this.#writers.push({ source, index: starts[p] + stage * owner.parameters[p].size, fraction });
+          const index = starts[p] + stage * owner.parameters[p].size;
+          this.#writers.push({ source, index, fraction, isOfStage: true });
         });
       }
     });

@@ -10,7 +10,8 @@
 //   x, v = step(x₁, R v₁, h - τ)  R  reflects the normal velocity, -e; friction is that of the kernel
 //
 // Bodies that hit two walls in a step, that came to rest or that began the step beyond the wall keep what the kernel gave
-// them. Few bodies are at a wall in a step; each takes the scheme twice for its block of rows.
+// them. Few bodies are at a wall in a step; each takes the scheme twice for its block of rows. Where forces change with time, each
+// body is at its own time, so the scheme is taken for one after the other.
 import type { RealColumn } from '../components/define.ts';
 import { MAX_SPEED } from '../components/velocity.ts';
 import { AXES } from '../memory/axes.ts';
@@ -43,6 +44,8 @@ interface Columns {
   readonly wallRestitution: number;
   /** Reals in a vector. */
   readonly lanes: number;
+  /** The states of the bodies of a vector. */
+  readonly kept: Float64Array;
 }
 
 /** The box that the loop of the step tests. */
@@ -71,6 +74,7 @@ const columnsOf = cachedWithPlan((world): Columns => {
     high: axes.map((axis) => high[axis]),
     wallRestitution: restitution,
     lanes: 16 / realBytes(precision),
+    kept: new Float64Array((16 / realBytes(precision)) * 2 * axes.length),
   };
 });
 
@@ -174,9 +178,11 @@ export function refineImpacts(world: PhysicsWorld, count: number, dt: number, sa
   if (loop === undefined || count === 0) return;
   const columns = columnsOf(world);
   loop.block.write(dt, world.time, 0);
-  runVectors(loop, columns, count);
+  if (loop.isTimed) runBodies(loop, columns, count, world.time, 0);
+  else runVectors(loop, columns, count);
   for (let k = 0; k < count; k++) reflect(loop, columns, k * SIZE, dt);
-  runVectors(loop, columns, count);
+  if (loop.isTimed) runBodies(loop, columns, count, world.time, dt);
+  else runVectors(loop, columns, count);
   for (let k = 0; k < count; k++) accept(loop, columns, k * SIZE, savesVelocity);
 }
 
@@ -189,6 +195,47 @@ function runVectors(loop: ImpactLoop, { impacts, lanes }: Columns, count: number
     if (first === done) continue;
     loop.run(first, first + lanes, 0);
     done = first;
+  }
+}
+
+/**
+ * Runs the loop for one body of the list after the other, each at its own time: from `time`, or until `dt` after it where that is
+ * not 0.
+ */
+function runBodies(loop: ImpactLoop, columns: Columns, count: number, time: number, dt: number): void {
+  const { impacts, lanes } = columns;
+  for (let k = 0; k < count; k++) {
+    if (impacts[k * SIZE + AXIS] < 0) continue;
+    const row = impacts[k * SIZE + ROW];
+    const length = loop.duration[row];
+    const first = row - (row % lanes);
+    loop.block.writePart(dt === 0 ? time : time + (dt - length), length);
+    keepLanes(loop, columns, first);
+    loop.run(first, first + lanes, 0);
+    restoreLanes(loop, columns, first, row);
+  }
+}
+
+/** Keeps the states of the bodies of a vector. */
+function keepLanes({ position, velocity }: ImpactLoop, { kept, lanes }: Columns, first: number): void {
+  const axes = position.length;
+  for (let lane = 0; lane < lanes; lane++) {
+    for (let i = 0; i < axes; i++) {
+      kept[2 * (lane * axes + i)] = position[i][first + lane];
+      kept[2 * (lane * axes + i) + 1] = velocity[i][first + lane];
+    }
+  }
+}
+
+/** Gives the bodies of a vector their states back, except that of one row. */
+function restoreLanes({ position, velocity }: ImpactLoop, { kept, lanes }: Columns, first: number, row: number): void {
+  const axes = position.length;
+  for (let lane = 0; lane < lanes; lane++) {
+    if (first + lane === row) continue;
+    for (let i = 0; i < axes; i++) {
+      position[i][first + lane] = kept[2 * (lane * axes + i)];
+      velocity[i][first + lane] = kept[2 * (lane * axes + i) + 1];
+    }
   }
 }
 

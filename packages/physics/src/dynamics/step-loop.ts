@@ -56,11 +56,15 @@ export function stepLoopSource(
   };
 }
 
-/** The state from which a scheme starts, and the length of its step, which is that of the world's by default. */
+/**
+ * The state from which a scheme starts, and the length of its step, which is that of the world's by default: of each body, and as
+ * a number with which the time at its stages is computed.
+ */
 interface Start {
   readonly position: Axes;
   readonly velocity: Axes;
   readonly duration?: Node;
+  readonly length?: Node;
 }
 
 /** Lowers the state at the end of a step, with the torques there. */
@@ -69,7 +73,7 @@ export function lowerScheme(
   scheme: Scheme,
   laws: readonly LawForce[],
   memory: StepFeatures['memory'],
-  { position, velocity, duration = columns.dt }: Start,
+  { position, velocity, duration = columns.dt, length }: Start,
 ): { readonly result: Result; readonly torque: Axes } {
   const { graph, world } = columns;
   const none = zeroVector(graph);
@@ -88,7 +92,7 @@ export function lowerScheme(
       lastDt: last.lastDt,
     },
     kick(at, moving, during, { stage, fraction }) {
-      const time = columns.timeAt(fraction);
+      const time = columns.timeAt(fraction, length);
       const evaluation = {
         position: at,
         velocity: moving,

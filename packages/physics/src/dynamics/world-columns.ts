@@ -47,12 +47,12 @@ export class WorldColumns {
     return [column(at.x), column(at.y), this.world.dimensions === 2 ? graph.zero : column(at.z)];
   }
 
-  /** The time at `fraction` of a step after its start. */
-  timeAt(fraction: number): Node {
+  /** The time at `fraction` of a step, or of a part of it, after its start. */
+  timeAt(fraction: number, length = this.dt): Node {
     const { graph, block } = this;
     const start = this.load(block.time);
     if (fraction === 0) return start;
-    return graph.make('add', [start, graph.make('mul', [graph.constant(fraction), this.dt])]);
+    return graph.make('add', [start, graph.make('mul', [graph.constant(fraction), length])]);
   }
 
   environment(owner: object, vectors: Readonly<Record<string, Axes>>, time: Node, stage: number): Environment {

@@ -31,7 +31,7 @@ export interface BodySymbols {
   readonly acceleration: Vector;
   /** Simulated time at which the force is evaluated, s. */
   readonly time: Scalar;
-  /** Length of the step, s. */
+  /** Length of the step, s; of the whole one where an impact on a wall divides it. */
   readonly dt: Scalar;
   /** Id of the entity. */
   readonly entity: Scalar;
