@@ -173,6 +173,32 @@ describe('the derivative of', () => {
     expect(lawOn(cusps, { position: {} })).toMatchObject({ x: 0, y: 0 });
   });
 
+  test('powers of a distance have no gradient at distance 0', () => {
+    const square = (r: VectorSymbol) => r.lengthSquared();
+    for (const exponent of [0, 0.5, 0.7, 0.75, 1, 1.2]) {
+      expect(
+        lawOn(
+          potentialLaw((r) => square(r).pow(exponent).add(r.x)),
+          { position: {} },
+        ),
+      ).toMatchObject({ x: -1, y: 0 });
+      const byParameter = potentialLaw((r, { k }) =>
+        square(r)
+          .pow(k.mul(exponent / 1.3))
+          .add(r.x),
+      );
+      expect(lawOn(byParameter, { position: {} })).toMatchObject({ x: -1, y: 0 });
+    }
+    const byPosition = potentialLaw((r) => r.x.pow(r.y.add(2)).add(r.y));
+    expect(lawOn(byPosition, { position: {} })).toMatchObject({ x: 0, y: -1 });
+    expect(
+      lawOn(
+        potentialLaw((r) => r.x.pow(-1)),
+        { position: { x: -2 } },
+      ).x,
+    ).toBeCloseTo(0.25, 14);
+  });
+
   test('the unselected branch may be infinite', () => {
     const core = potentialLaw((r) => select(r.length().less(1), r.lengthSquared(), r.length().log()));
     expect(lawOn(core, { position: {} })).toMatchObject({ x: 0, y: 0 });

@@ -154,8 +154,10 @@ function contributionsToScalarArgs(f: Scalar, adjoint: Scalar): readonly Contrib
       return [product(f, adjoint)];
     case 'log':
       return [adjoint.div(a)];
-    case 'pow':
-      return [product(b.mul(powerBelow(a, b)), adjoint), product(f.mul(a.log()), adjoint)];
+    case 'pow': {
+      const byExponent = select(f.equals(0), 0, f.mul(a.log()));
+      return [product(powerSlope(a, b), adjoint), product(byExponent, adjoint)];
+    }
     case 'atan2': {
       const square = a.square().add(b.square());
       const slope = select(square.greater(0), adjoint.div(square), 0);
@@ -233,12 +235,16 @@ function negative(a: Expression): Expression {
   return a instanceof Vector ? a.negate() : (a as Scalar).negate();
 }
 
-/** Returns a to the power b - 1. */
-function powerBelow(a: Scalar, b: Scalar): Scalar {
-  if (b.op !== 'constant') return a.pow(b.sub(1));
-  const below = (b.data as number) - 1;
-  if (below === 0) return constant(1);
-  return below === 1 ? a : a.pow(below);
+/** Returns the derivative b a^(b - 1) of a power; zero at a = 0 for exponents from 0 to 1, as for a root. */
+function powerSlope(a: Scalar, b: Scalar): Scalar {
+  if (b.op !== 'constant') {
+    const isCusp = a.equals(0).and(b.greaterOrEqual(0)).and(b.less(1));
+    return select(isCusp, 0, b.mul(a.pow(b.sub(1))));
+  }
+  const exponent = b.data as number;
+  if (exponent === 0 || exponent === 1) return b;
+  const slope = b.mul(exponent === 2 ? a : a.pow(exponent - 1));
+  return exponent > 0 && exponent < 1 ? select(a.equals(0), 0, slope) : slope;
 }
 
 /** Omits a factor of 1, with which a sweep begins. */
