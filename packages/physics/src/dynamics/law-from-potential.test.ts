@@ -134,6 +134,16 @@ describe('the derivative of', () => {
     'smaller and larger': (r, { k }) => r.x.min(r.y.mul(k)).add(r.x.square().max(r.y)),
     choices: (r) => select(r.x.less(0), r.x.square(), select(r.y.greater(0), r.length(), r.x.mul(3))),
     'chosen vectors': (r, { a }) => select(r.x.less(0), r.mul(2), a.sub(r)).dot(vec3(r.y, 1, r.x)),
+    'choices within choices': (r, { k }) => {
+      let u = r.x.square();
+      for (let i = 0; i < 4; i++) u = u.min(u.mul(2).sub(r.y.mul(0.1 * i))).add(r.z.mul(k));
+      return u.max(u.square());
+    },
+    'chosen vectors within others': (r, { a }) => {
+      let v = r;
+      for (let i = 0; i < 3; i++) v = select(r.x.less(i - 1), v.mul(r.y), v.cross(a));
+      return v.dot(a).add(select(r.y.less(0), v.x, v.lengthSquared()));
+    },
     'steps, which have none': (r, { k }) => r.x.floor().add(r.y.round()).mul(r.x).mul(k),
     'lengths and directions': (r, { a }) => r.sub(a).normalize().dot(a).add(r.sub(a).length()),
     'vector products': (r, { a }) =>
@@ -165,6 +175,23 @@ describe('the derivative of', () => {
         expect(Math.abs(force.y - fall.y), `y in ${dimensions}D`).toBeLessThan(1e-7);
         if (dimensions === 3) expect(Math.abs(force.z - fall.z)).toBeLessThan(1e-7);
       }
+    }
+  });
+
+  test('choices shared by many branches', () => {
+    // Without sharing this would differentiate 2^60 branches.
+    const folded = potentialLaw((r) => {
+      let u = r.x;
+      for (let i = 0; i < 60; i++) u = u.max(u.negate()).sub(1 + i / 64);
+      return u;
+    });
+    for (const x of [0.3, -7.7]) {
+      let [u, slope] = [x, 1];
+      for (let i = 0; i < 60; i++) {
+        if (u < 0) slope = -slope;
+        u = Math.abs(u) - (1 + i / 64);
+      }
+      expect(lawOn(folded, { position: { x } }).x).toBe(-slope);
     }
   });
 

@@ -27,6 +27,9 @@ const AXES = [axial3(1, 0, 0), axial3(0, 1, 0), axial3(0, 0, 1)];
 
 class Gradient {
   readonly #dependence = new Map<Expression, boolean>();
+  readonly #metJoints = new Set<Expression>();
+  /** Gradients of joints that several branches share: of a scalar, or of each axis of a vector. */
+  readonly #shared = new Map<Expression, readonly Vector[]>();
 
   /** Returns the gradient of a scalar times a factor, or of the scalar product of a vector and a constant vector. */
   of(result: Expression, factor: Expression): Vector {
@@ -39,7 +42,7 @@ class Gradient {
     for (const expression of this.#inOrder(result)) {
       const adjoint = combinedAdjoint(adjoints.get(expression) as Adjoint);
       if (expression.op === 'position') add(adjoint as Vector);
-      else if (isJoint(expression)) add(this.#ofJoint(expression, adjoint));
+      else if (isJoint(expression)) add(this.#ofEachJoint(expression, adjoint));
       else {
         const contributions = contributionsToArgs(expression, adjoint);
         for (const [i, arg] of expression.args.entries()) this.#contribute(adjoints, arg, contributions[i]);
@@ -54,6 +57,28 @@ class Gradient {
     adjoints.set(to, adjoint);
     if (contribution instanceof Expression) adjoint.vector = plus(adjoint.vector, contribution);
     else adjoint.axes[contribution[0]] = plus(adjoint.axes[contribution[0]], contribution[1]) as Scalar;
+  }
+
+  /**
+   * A joint in both branches of another is differentiated once for all branches after the first, and then multiplied by the
+   * adjoint: branches within branches would otherwise double the work at each level. Sums of vectors are left out, because that
+   * takes three sums in place of one.
+   */
+  #ofEachJoint(joint: Expression, adjoint: Expression): Vector {
+    if (!this.#metJoints.has(joint) || (joint.op === 'sum' && joint.shape === 'vector')) {
+      this.#metJoints.add(joint);
+      return this.#ofJoint(joint, adjoint);
+    }
+    let shared = this.#shared.get(joint);
+    if (shared === undefined) {
+      shared = (joint.shape === 'vector' ? AXES : [constant(1)]).map((unit) => this.#ofJoint(joint, unit));
+      this.#shared.set(joint, shared);
+    }
+    if (adjoint instanceof Vector) {
+      const [x, y, z] = shared;
+      return x.mul(adjoint.x).add(y.mul(adjoint.y)).add(z.mul(adjoint.z));
+    }
+    return scaled(shared[0], adjoint as Scalar);
   }
 
   /**
