@@ -3,7 +3,7 @@
 
 import { checkObject } from '../errors/validate.ts';
 import type { Parameter, ParameterSource, Scheme } from '../world/types.ts';
-import { Scalar, scalarOf, Vector, vectorOf } from './expression.ts';
+import { type Expression, Scalar, scalarOf, Vector, vectorOf } from './expression.ts';
 import { structureOf } from './structure.ts';
 
 /** The state of a body, the other values that a scheme may use, and the result. */
@@ -33,7 +33,7 @@ export interface SchemeResult {
 
 /**
  * The change of velocity F/m h that all forces cause in `duration` (s) if they stay as they are at a position and
- * velocity, `fraction` of a step after its start. Each call counts as an evaluation.
+ * velocity, `fraction` of a step after its start. Each call whose result is used counts as an evaluation.
  */
 export type Kick = (position: Vector, velocity: Vector, fraction: number, duration: Scalar) => Vector;
 
@@ -42,7 +42,7 @@ export type SchemeFunction = (state: SchemeState, kick: Kick, parameters: readon
 
 /** The data of a force evaluation. */
 export interface StageData {
-  readonly stage: number;
+  stage: number;
   readonly fraction: number;
 }
 
@@ -57,15 +57,12 @@ export interface SchemeOptions {
 /** Records a step. @throws PhysicsError E_TYPE if a method gets an argument of the wrong type */
 export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}): Scheme {
   const { memory = 0, parameters = [], sources = [] } = options;
-  const stages: number[] = [];
+  const kicks: Vector[] = [];
   const kick: Kick = (position, velocity, fraction, duration) => {
-    const data: StageData = { stage: stages.length, fraction };
-    stages.push(fraction);
-    return new Vector(
-      'kick',
-      [vectorOf(position, 'kick'), vectorOf(velocity, 'kick'), scalarOf(duration, 'kick')],
-      data,
-    );
+    const data: StageData = { stage: kicks.length, fraction };
+    const args = [vectorOf(position, 'kick'), vectorOf(velocity, 'kick'), scalarOf(duration, 'kick')];
+    kicks.push(new Vector('kick', args, data));
+    return kicks[data.stage];
   };
   const result = step(
     {
@@ -89,6 +86,24 @@ export function recordScheme(step: SchemeFunction, options: SchemeOptions = {}):
     velocity,
     ...Object.fromEntries(memoryVectors.map((vector, i) => [`memory${i}`, vector])),
   };
+  const stages = numberStages(kicks, Object.values(formulas));
   const structure = `${structureOf(parameters, formulas)};${stages}`;
   return { structure, position, velocity, memory: memoryVectors, stages, parameters, sources };
+}
+
+/** Numbers the evaluations that a result needs, and returns the fractions at which they are. Others have no stage. */
+function numberStages(kicks: readonly Vector[], results: readonly (Expression | undefined)[]): number[] {
+  const seen = new Set<Expression>();
+  const visit = (expression: Expression | undefined) => {
+    if (expression === undefined || seen.has(expression)) return;
+    seen.add(expression);
+    expression.args.forEach(visit);
+  };
+  results.forEach(visit);
+  return kicks
+    .filter((each) => seen.has(each))
+    .map(({ data }, stage) => {
+      (data as StageData).stage = stage;
+      return (data as StageData).fraction;
+    });
 }
