@@ -167,13 +167,14 @@ export class Vector extends Expression {
   cross(b: Vector): Vector {
     return new Vector('cross', [this, vectorOf(b, 'cross')]);
   }
+  /** From the squares, which must fit: lengths from 1e-18 to 1.8e19 in f32, from 1e-153 to 1.3e154 in f64. */
   length(): Scalar {
     return new Scalar('length', [this]);
   }
   lengthSquared(): Scalar {
     return this.dot(this);
   }
-  /** The unit vector in this direction; zero for a zero vector. */
+  /** The unit vector in this direction; zero for a zero vector, and for one whose `length` overflows. */
   normalize(): Vector {
     return new Vector('normalize', [this]);
   }
