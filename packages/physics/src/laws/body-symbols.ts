@@ -39,7 +39,10 @@ export interface BodySymbols {
   rotate(vector: Vector): Vector;
   /** True if the entity has the component: one of `COMPONENTS`, or one of your own that the world was created with. */
   has(component: ComponentSpec): Condition;
-  /** Normal noise of variance 1, drawn once per step and equal in every stage; independent for each channel. */
+  /**
+   * Normal noise of variance 1, drawn once per step and equal in every stage; independent for each channel.
+   * @param seed whole number from 0 to 2³² - 1; what a symbol has beyond that counts as the nearest of these, and is cut to whole
+   */
   noise(seed: ScalarInput, channel: number): Scalar;
 }
 
@@ -60,6 +63,9 @@ export type ReadSymbols<R> = { readonly [Key in keyof R]: ReadSymbol<R[Key]> };
 /** Largest index of a noise channel. */
 const MAX_CHANNEL = 2 ** 31 - 1;
 
+/** Largest seed of noise. */
+const MAX_SEED = 2 ** 32 - 1;
+
 const STATE = ['position', 'velocity', 'startVelocity', 'angularVelocity', 'force', 'acceleration'] as const;
 
 /** Creates the symbols of a law: those of every body, and the components that it declares to read. */
@@ -71,8 +77,11 @@ export function bodySymbols(law: string, reads: Reads): BodySymbols & Readonly<R
     entity: new Scalar('entity', []),
     rotate: (vector: Vector) => new Vector('rotate', [vectorOf(vector, 'rotate')]),
     has: (component: ComponentSpec) => new Condition('has', [], knownComponent(component, 'has(component)')),
-    noise: (seed: ScalarInput, channel: number) =>
-      new Scalar('noise', [scalarOf(seed, 'noise')], checkWhole(channel, 'noise: channel', 0, MAX_CHANNEL)),
+    noise: (seed: ScalarInput, channel: number) => {
+      const given = scalarOf(seed, 'noise');
+      if (given.op === 'constant') checkWhole(given.data, 'noise: seed', 0, MAX_SEED);
+      return new Scalar('noise', [given], checkWhole(channel, 'noise: channel', 0, MAX_CHANNEL));
+    },
   };
   for (const name of STATE) symbols[name] = new Vector(name, []);
   for (const key of Object.keys(reads)) {

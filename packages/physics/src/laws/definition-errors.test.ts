@@ -98,6 +98,18 @@ const FORCES: Readonly<Record<string, readonly [act: () => unknown, sentence: Re
     withForce(({ noise }) => vec3(noise(3, 0.5), 0)),
     /noise: channel must be a whole number, got 0.5/,
   ],
+  'asks for noise with half a seed': [
+    withForce(({ noise }) => vec3(noise(0.5, 0), 0)),
+    /noise: seed must be a whole number, got 0.5/,
+  ],
+  'asks for noise with a seed below 0': [
+    withForce(({ noise }) => vec3(noise(-1, 0), 0)),
+    /noise: seed must be .*got -1/,
+  ],
+  'asks for noise with a seed that is none': [
+    withForce(({ noise }) => vec3(noise(Number.NaN, 0), 0)),
+    /noise: seed must be .*got NaN/,
+  ],
   'asks whether the body has a number': [
     withForce(({ has }) => has(3 as never)),
     /has\(component\) must be a component, such as COMPONENTS\.QuadraticDrag or one made by defineComponent, got 3/,
