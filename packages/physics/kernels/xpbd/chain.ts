@@ -31,7 +31,7 @@ import {
 } from './table';
 
 // Bytes of scratch memory per row; at most those of taut-chain.ts.
-const LINK_BYTES: usize = 96;
+const LINK_BYTES: usize = 112;
 
 // The state of a row between elimination and back substitution.
 @unmanaged
@@ -50,7 +50,16 @@ class Link {
   active: f64;
   // The unknown: the change of the tension; after the velocities are solved, the impulse that it took, N s.
   change: f64;
+  // Of the velocities: the rate of extension, the diagonal of the matrix, and HELD, LOOSE or SLACK.
+  rate: f64;
+  diagonal: f64;
+  hold: f64;
 }
+
+// In the solve of the velocities a row without tension is slack. The others are held, unless that would need a push.
+const HELD: f64 = 1;
+const LOOSE: f64 = 0;
+const SLACK: f64 = -1;
 
 // @ts-ignore: decorator
 @inline function linkOf(t: ConstraintTable, row: i32): Link {
@@ -62,6 +71,8 @@ class Link {
 const MAX_NEWTON_ITERATIONS: i32 = 12;
 const TOLERANCE: f64 = 1e-3;
 const ROUNDING_TOLERANCE: f64 = 1e-5;
+// The maximum number of times that rows are held or let loose in a solve of the velocities.
+const MAX_HOLDS: i32 = 12;
 
 // Solves every chain to the precision of `real`. A chain that turns too sharply within the sub-step is solved as a
 // taut chain, and if that does not converge, as with heavy loads on light nodes, by its dual, unless its anchors are too
@@ -100,7 +111,7 @@ function solveNewton(t: ConstraintTable, first: i32, last: i32, turnsSharply: bo
   let previousError: f64 = Infinity;
   for (let row = first; row < last; row++) put(t.tension, row, 0);
   for (let i = 0; i < MAX_NEWTON_ITERATIONS; i++) {
-    const error = eliminate(t, first, last, turnsSharply);
+    const error = eliminate(t, first, last, turnsSharply, i == 0 ? TOLERANCE : 0);
     if (error <= tolerance) return true;
     // A converged iteration stalls by rounding; a diverging one grows.
     if (error >= previousError && error <= ROUNDING_TOLERANCE) return true;
@@ -108,11 +119,13 @@ function solveNewton(t: ConstraintTable, first: i32, last: i32, turnsSharply: bo
     previousError = error;
     substitute(t, first, last);
   }
-  return eliminate(t, first, last, turnsSharply) <= TOLERANCE;
+  return eliminate(t, first, last, turnsSharply, 0) <= TOLERANCE;
 }
 
-// Assembles the rows and eliminates forward; returns the largest relative length error.
-function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool): f64 {
+// Assembles the rows and eliminates forward; returns the largest relative length error. A string that is short of its
+// length by more than `margin` of it is slack. All links of a hanging string fall alike before its first link holds
+// them: without a margin in the first iteration, each iteration would find one link more.
+function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool, margin: f64): f64 {
   let largestError: f64 = 0;
   let before = changetype<Link>(0);
   for (let row = first; row < last; row++) {
@@ -130,7 +143,7 @@ function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool
     const restLength = abs<f64>(<f64>length);
     const e = complianceOf(t, row);
     const error = d - restLength - e * tension;
-    const slack = isTensionOnly(length) && error <= 0 && tension <= 0;
+    const slack = isTensionOnly(length) && error <= -margin * restLength && tension <= 0;
     const wa = <f64>packedComponent(pa, 3);
     const wb = <f64>packedComponent(pb, 3);
     link.active = gain > 0 && !slack ? 1 : 0;
@@ -253,35 +266,93 @@ function substitute(t: ConstraintTable, first: i32, last: i32): void {
   putPackedComponent(p, 2, <real>(<f64>packedComponent(p, 2) + step * link.oz));
 }
 
-// Removes the relative velocities along the rods of every chain, with one direct solve per chain.
+// Removes the relative velocities along the rods of every chain, with one direct solve per chain. Strings only pull:
+// with impulses p and rates u after them, p >= 0 and u <= 0, and one of both is zero. Which rows pull is not to be seen
+// from the rates before the solve: those of a hanging string fall alike, and are held up by the first. So all taut rows
+// are held at first, and the solve is repeated while one pushes, or one that was let loose for it extends (the
+// primal-dual active set method). Source: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13, 865 (2002).
 export function solveChainVelocities(table: usize): void {
   const t = tableAt(table);
-  const springs = changetype<SpringTable>(t.springs);
-  const c = columns();
   for (let chain = 0; chain < t.chainCount; chain++) {
     const first = <i32>word(t.chains, chain);
     const last = <i32>word(t.chains, chain + 1);
-    let before = changetype<Link>(0);
-    for (let row = first; row < last; row++) {
-      const link = linkOf(t, row);
-      const a = word(t.a, row);
-      const b = word(t.b, row);
-      setVector(link, a, b);
-      normalise(link);
-      useCurrentDirection(link);
-      const rate =
-        link.x * (<f64>get(c.velocityX, b) - <f64>get(c.velocityX, a)) +
-        link.y * (<f64>get(c.velocityY, b) - <f64>get(c.velocityY, a)) +
-        link.z * (<f64>get(c.velocityZ, b) - <f64>get(c.velocityZ, a));
-      const rigid = <f64>get(springs.stiffness, word(t.springIds, row)) >= RIGID;
-      const slack = isTensionOnly(get(t.length, row)) && (rate <= 0 || get(t.tension, row) <= 0);
-      link.active = rigid && !slack && get(t.gain, row) > 0 ? 1 : 0;
-      const wa = <f64>packedComponent(packedAt(t, a), 3);
-      eliminateRow(link, before, wa, wa + <f64>packedComponent(packedAt(t, b), 3), rate);
-      before = link;
+    const hasStrings = assembleVelocities(t, first, last);
+    solveImpulses(t, first, last);
+    if (hasStrings) {
+      for (let i = 0; i < MAX_HOLDS && changeHolds(t, first, last); i++) solveImpulses(t, first, last);
     }
-    applyChainImpulses(t, first, last);
+    applyImpulses(t, first, last);
   }
+}
+
+// Computes directions, rates and diagonals; returns whether a taut row only pulls.
+function assembleVelocities(t: ConstraintTable, first: i32, last: i32): bool {
+  const springs = changetype<SpringTable>(t.springs);
+  const c = columns();
+  let hasStrings = false;
+  for (let row = first; row < last; row++) {
+    const link = linkOf(t, row);
+    const a = word(t.a, row);
+    const b = word(t.b, row);
+    setVector(link, a, b);
+    normalise(link);
+    useCurrentDirection(link);
+    link.rate =
+      link.x * (<f64>get(c.velocityX, b) - <f64>get(c.velocityX, a)) +
+      link.y * (<f64>get(c.velocityY, b) - <f64>get(c.velocityY, a)) +
+      link.z * (<f64>get(c.velocityZ, b) - <f64>get(c.velocityZ, a));
+    link.diagonal = <f64>packedComponent(packedAt(t, a), 3) + <f64>packedComponent(packedAt(t, b), 3);
+    const rigid = <f64>get(springs.stiffness, word(t.springIds, row)) >= RIGID;
+    const isString = isTensionOnly(get(t.length, row));
+    link.hold = rigid && get(t.gain, row) > 0 && !(isString && get(t.tension, row) <= 0) ? HELD : SLACK;
+    if (isString && link.hold == HELD) hasStrings = true;
+  }
+  return hasStrings;
+}
+
+// Computes the impulses of the rows that are held.
+function solveImpulses(t: ConstraintTable, first: i32, last: i32): void {
+  let before = changetype<Link>(0);
+  for (let row = first; row < last; row++) {
+    const link = linkOf(t, row);
+    link.active = link.hold == HELD ? 1 : 0;
+    eliminateRow(link, before, <f64>packedComponent(packedAt(t, word(t.a, row)), 3), link.diagonal, link.rate);
+    before = link;
+  }
+  let next: f64 = 0;
+  for (let row = last - 1; row >= first; row--) {
+    const link = linkOf(t, row);
+    next = link.active > 0 ? link.rhs - link.upper * next : 0;
+    link.change = next;
+  }
+}
+
+// Lets rows loose that would push, and holds loose ones that would extend. Returns whether there were any.
+function changeHolds(t: ConstraintTable, first: i32, last: i32): bool {
+  let changed = false;
+  for (let row = first; row < last; row++) {
+    const link = linkOf(t, row);
+    if (link.hold == SLACK || !isTensionOnly(get(t.length, row))) continue;
+    if (link.hold == HELD ? link.change >= 0 : !isExtending(t, row, first, last)) continue;
+    link.hold = link.hold == HELD ? LOOSE : HELD;
+    changed = true;
+  }
+  return changed;
+}
+
+// Tests whether a loose row extends after the impulses of its neighbours, by more than rounding.
+function isExtending(t: ConstraintTable, row: i32, first: i32, last: i32): bool {
+  const link = linkOf(t, row);
+  let by: f64 = 0;
+  if (row > first) {
+    const above = linkOf(t, row - 1);
+    by += <f64>packedComponent(packedAt(t, word(t.a, row)), 3) * cosine(link, above) * above.change;
+  }
+  if (row < last - 1) {
+    const below = linkOf(t, row + 1);
+    by += <f64>packedComponent(packedAt(t, word(t.b, row)), 3) * cosine(link, below) * below.change;
+  }
+  return link.rate + by > 1e-12 * (abs<f64>(link.rate) + abs<f64>(by));
 }
 
 // The impulse of a row in the last sub-step times h. Under RATTLE the correction of the positions, which `tension` holds,
@@ -290,15 +361,13 @@ export function rodImpulse(t: ConstraintTable, row: i32, h: f64): f64 {
   return <f64>get(t.tension, row) + h * linkOf(t, row).change;
 }
 
-function applyChainImpulses(t: ConstraintTable, first: i32, last: i32): void {
-  let next: f64 = 0;
+function applyImpulses(t: ConstraintTable, first: i32, last: i32): void {
   for (let row = last - 1; row >= first; row--) {
     const link = linkOf(t, row);
-    next = link.active > 0 ? link.rhs - link.upper * next : 0;
-    link.change = next;
-    if (next == 0) continue;
-    applyImpulse(t, word(t.a, row), link, next);
-    applyImpulse(t, word(t.b, row), link, -next);
+    if (link.change < 0 && isTensionOnly(get(t.length, row))) link.change = 0;
+    if (link.change == 0) continue;
+    applyImpulse(t, word(t.a, row), link, link.change);
+    applyImpulse(t, word(t.b, row), link, -link.change);
   }
 }
 
