@@ -179,12 +179,13 @@ export function radauLargestOf(table: usize, column: i32, first: i32, last: i32)
   return largestLane(largestValue);
 }
 
-// Returns the body whose |b6| is largest, or not finite.
+// Returns the movable body whose |b6| is largest, or not finite.
 export function radauWorstRow(table: usize, first: i32, last: i32): i32 {
   const t = changetype<RadauTable>(table);
   let worstRow = 0;
   let largestValue: f64 = -1;
   for (let row = first; row < last; row++) {
+    if (!(load<real>(t.mass + at(row)) > 0)) continue;
     for (let axis: usize = 0; axis < t.axes; axis++) {
       const b6 = axisOf(table, offsetof<RadauTable>('blockX'), axis) + 6 * t.stride;
       const magnitude = <f64>abs<real>(load<real>(b6 + at(row)));

@@ -12,13 +12,16 @@
 // sub-steps. For f64; in f32 it achieves seven digits. For smooth forces: a kink, as of a cord that goes slack, costs
 // many short sub-steps, and is not noticed at all after the last node. In an equilibrium, as of a hanging mass or at
 // terminal speed, the accelerations are rounding errors of forces that cancel, and no sub-step is short enough for a
-// tolerance relative to them: those errors are measured, and b₆ need not be smaller.
+// tolerance relative to them: those errors are measured, and b₆ need not be smaller. Not for stiff forces: the iteration
+// converges only if h times the rate of damping is about 1 or less, so a drag of 10⁴ /s takes all evaluations of a step of
+// 0.1 s. The rest of the step is then stable, and of first order (support/gauss-radau-fallback.ts).
 //
 // Everhart, in: Dynamics of Comets (1985), p. 185; Rein and Spiegel, MNRAS 446, 1424 (2015), sections 2.2 to 2.5.
 import { checkKeys, checkNumber } from '../errors/validate.ts';
 import { powInPlace } from '../math/elementary.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { forceRounding } from './support/force-rounding.ts';
+import { endUnconverged } from './support/gauss-radau-fallback.ts';
 import {
   CHANGE,
   clearRemovedBodies,
@@ -144,7 +147,8 @@ function advanceInterval(
       // A sub-step shortened by the end of the step does not limit the next one.
       suggested = next < MAX_GROWTH * h ? next : Math.max(suggested, next);
     } else {
-      if (!converged) clearPolynomial(ranges, radau);
+      // The next prediction clears what diverged; until then it tells which body is the worst.
+      if (!converged) scalars[LENGTH] = 0;
       suggested = converged ? next : h / MAX_GROWTH;
     }
   }
@@ -157,10 +161,12 @@ function begin(world: PhysicsWorld, ranges: Ranges, { table, kernels, scalars }:
 }
 
 /** Extrapolates the polynomial of the last sub-step, or of the last attempt, to the length of this one. */
-function predict(ranges: Ranges, { table, kernels, scalars }: Radau, continues: boolean): void {
+function predict(ranges: Ranges, radau: Radau, continues: boolean): void {
+  const { table, kernels, scalars } = radau;
   const h = scalars[STEP];
   const ratio = h / scalars[LENGTH];
-  if (scalars[LENGTH] > 0) {
+  if (scalars[LENGTH] === 0) clearPolynomial(ranges, radau);
+  else {
     const shift = continues ? 1 : 0;
     for (let r = 0; r < ranges.count; r++) {
       kernels.radauPredict(table, ratio, shift, ranges.bounds[2 * r], ranges.bounds[2 * r + 1]);
@@ -299,8 +305,8 @@ function fallbackSteps(
     scalars[STEP] = h;
     clearPolynomial(ranges, radau);
     begin(world, ranges, radau, evaluate);
-    iterate(world, ranges, radau, evaluate);
-    end(ranges, radau);
+    if (iterate(world, ranges, radau, evaluate)) end(ranges, radau);
+    else endUnconverged(world, ranges, radau, evaluate);
   }
   clearPolynomial(ranges, radau);
   scalars.fill(0);

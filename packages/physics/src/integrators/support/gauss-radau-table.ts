@@ -48,9 +48,11 @@ export const NOISE = 8;
 export const WAIT = 9;
 const SCALARS = 10;
 
-/** Columns of an axis, kernels/integrators/radau.ts: b₆, and the acceleration at the start. */
+/** Columns of an axis, kernels/integrators/radau.ts: b₆, and acceleration, position and velocity at the start. */
 export const LAST_TERM = 6;
 export const START_ACCELERATION = 14;
+export const START_POSITION = 15;
+export const START_VELOCITY = 16;
 
 export type Radau = ReturnType<typeof makeRadau>;
 
