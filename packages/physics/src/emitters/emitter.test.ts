@@ -317,6 +317,7 @@ describe('an emitter', () => {
       [{ capacity: 1, rate: Number.NaN }, 'E_NONFINITE'],
       [{ capacity: 1, rate: -1 }, 'E_RANGE'],
       [{ capacity: 1, lifetime: 0 }, 'E_RANGE'],
+      [{ capacity: 1, lifetime: 1e-46 }, 'E_RANGE'],
       [{ capacity: 1, lifetime: [2, 1] }, 'E_RANGE'],
       [{ capacity: 1, lifetime: [1] }, 'E_RANGE'],
       [{ capacity: 1, speed: 'fast' }, 'E_TYPE'],

@@ -13,6 +13,9 @@ import {
 import type { PhysicsWorld } from '../world/types.ts';
 import { MAX_RAMPS, MAX_STOPS } from './record.ts';
 
+/** Lifetimes are kept in f32, where less becomes 0, which marks a free place: such particles would never end. */
+const MIN_LIFETIME = 1e-37;
+
 /** A number, or a range from which each particle draws a value. */
 export type Range = number | readonly [min: number, max: number];
 
@@ -22,7 +25,7 @@ export interface EmitterParameters {
   readonly position?: VectorInput;
   /** Particles born per second, 1/s. Default 0: bursts only. */
   readonly rate?: number;
-  /** Lifetime of a particle, s. Default 1. */
+  /** Lifetime of a particle, s, 1e-37 to 1e9. Default 1. */
   readonly lifetime?: Range;
   /** Speed at birth, m/s. Default 1. */
   readonly speed?: Range;
@@ -176,7 +179,7 @@ export function checkParameters(world: PhysicsWorld, options: EmitterParameters)
     offset: checkPosition(world, options.offset ?? {}, 'offset', positionBounds),
     numbers: [
       checkNumber(options.rate ?? 0, 'rate', { min: 0, max: 1e9 }),
-      ...range(options.lifetime ?? 1, 'lifetime', { above: 0, max: 1e9 }),
+      ...range(options.lifetime ?? 1, 'lifetime', { min: MIN_LIFETIME, max: 1e9 }),
       ...range(options.speed ?? 1, 'speed', { min: 0, max: MAX_SPEED }),
       ...normalise(checkPosition(world, options.direction ?? { y: 1 }, 'direction')),
       checkNumber(options.spread ?? Math.PI, 'spread', { min: 0, max: Math.PI }),
