@@ -1,8 +1,10 @@
 // Where forces cancel, the acceleration is a rounding error, and a tolerance relative to it cannot be met.
 import {
+  attractors,
   createPhysicsWorld,
   defineForce,
   dormandPrince,
+  energy,
   type Force,
   gaussRadau,
   implicitEuler,
@@ -45,6 +47,29 @@ function hang(world: PhysicsWorld, { anchor, length, damping }: { anchor: number
   const b = spawn(world, { position: { y: anchor - length }, mass: 1 });
   spawn(world, { spring: { a, b, stiffness: 100, length: 1, damping } });
 }
+
+describe('gaussRadau in f32', () => {
+  test.each([
+    [0.5, 2e-6],
+    [0.95, 1e-5],
+    [0.99, 3e-4],
+    [0.999, 3e-3],
+  ])('keeps the energy of an orbit of eccentricity %d through two close encounters', (e, tolerance) => {
+    // From apocentre, in steps that are longer than the encounter.
+    const forces = [attractors()];
+    const world = createPhysicsWorld({ capacity: 4, precision: 'f32', integrator: gaussRadau(), forces });
+    spawn(world, { position: {}, attractor: 1 });
+    spawn(world, { position: { x: 1 + e }, velocity: { y: Math.sqrt((1 - e) / (1 + e)) }, mass: 1 });
+    const start = energy(world).total;
+    let worst = 0;
+    for (let s = 0; s < 130; s++) {
+      step(world, 0.1);
+      worst = Math.max(worst, Math.abs(energy(world).total / start - 1));
+    }
+    expect(worst).toBeLessThan(tolerance);
+    expect(world.faults.faults).toEqual([]);
+  });
+});
 
 for (const create of [() => gaussRadau(), () => dormandPrince()]) {
   describe(create().name, () => {
