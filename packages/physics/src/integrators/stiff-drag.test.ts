@@ -11,9 +11,11 @@ import { gaussRadau } from './gauss-radau.ts';
 const G = 9.81;
 
 /** A body of 1 kg, thrown at 5 m/s into a fluid of linear drag `drag`, kg/s, whose name is not 1. */
-function thrown(drag: number, precision: 'f32' | 'f64', maxEvaluations?: number) {
+function thrown(drag: number, precision: 'f32' | 'f64') {
+  // Few evaluations, so that no step of these is resolved.
+  const integrator = gaussRadau({ maxEvaluations: 2000 });
   const forces = [linearDrag(), uniformGravity({ y: -G })];
-  const world = createPhysicsWorld({ capacity: 8, precision, integrator: gaussRadau({ maxEvaluations }), forces });
+  const world = createPhysicsWorld({ capacity: 8, precision, integrator, forces });
   spawn(world, { position: {} });
   const body = spawn(world, { position: { y: 100 }, velocity: { x: 5 }, mass: 1, linearDrag: drag });
   return { world, body };
@@ -26,8 +28,7 @@ describe('a body under a drag that is stiff for gaussRadau', () => {
     ['f64', 1e8, 0.1],
     ['f32', 1e4, 0.1],
   ] as const)('sinks at its terminal speed, in %s, k = %d, steps of %d s', (precision, drag, dt) => {
-    // Few evaluations, so that no step of these is resolved.
-    const { world, body } = thrown(drag, precision, 2000);
+    const { world, body } = thrown(drag, precision);
     const { Position, Velocity } = world.components;
     for (let s = 0; s < 10; s++) step(world, dt);
     const speed = G / drag;
@@ -41,7 +42,7 @@ describe('a body under a drag that is stiff for gaussRadau', () => {
   });
 
   test('gets an E_STEP that names it, and no other fault', () => {
-    const { world, body } = thrown(1e4, 'f64', 2000);
+    const { world, body } = thrown(1e4, 'f64');
     for (let s = 0; s < 5; s++) step(world, 0.1);
     expect(world.faults.faults.length).toBeGreaterThan(0);
     for (const fault of world.faults.faults) expect(fault).toMatchObject({ code: 'E_STEP', entity: body });
