@@ -1,5 +1,9 @@
 /** A build as text for a link: its numbers, compressed, in URL-safe base64. */
+import { destroyWorld } from '@principia/physics';
+import { initialValues } from '@principia/shell';
 import type { SavedScene } from './saved-scene.ts';
+import { settings } from './settings.ts';
+import { createSim } from './sim.ts';
 import { WORDS } from './words.ts';
 
 /** Bodies of a link at most: links of more than some thousand characters are cut off by programs that carry them. */
@@ -18,6 +22,17 @@ export async function writeScene(scene: SavedScene): Promise<string> {
 /** @throws Error with a sentence that says what is wrong with the text */
 export async function readScene(text: string): Promise<SavedScene> {
   if (!text.startsWith(VERSION)) throw broken(WORDS.broken.version);
+  const scene = await unpacked(text);
+  try {
+    // Only a world knows whether it takes all shapes, bodies and joints.
+    destroyWorld(createSim({ values: initialValues(settings), seed: 1, scene }).world);
+  } catch {
+    throw broken(WORDS.broken.impossible);
+  }
+  return scene;
+}
+
+async function unpacked(text: string): Promise<SavedScene> {
   try {
     const bytes = atob(text.slice(VERSION.length).replaceAll('-', '+').replaceAll('_', '/'));
     const packed = Uint8Array.from(bytes, (character) => character.charCodeAt(0));

@@ -172,6 +172,30 @@ describe('tools', () => {
     await expect(writeScene(sceneOf(make({ count: 900 }).world, 0))).rejects.toThrow(/250 bodies at most/);
   });
 
+  const shapes = [[0, 0.5]];
+  const pair = [
+    [0, 0, 1, 0, 1, 1],
+    [0, 2, 1, 0, 1, 1],
+  ];
+  const linkOf = (a: number, b: number, kind: number) => ({
+    shapes,
+    bodies: pair,
+    joints: [[a, b, kind, 0, 0, 0, 0, 0, 0, 0]],
+  });
+  it.each([
+    ['a polygon of two corners', { shapes: [[2, 0, 0, 0, 1, 0]], bodies: [pair[0]], joints: [] }],
+    ['an unknown shape', { shapes: [[9, 0.5]], bodies: [pair[0]], joints: [] }],
+    ['half a shape', { shapes: [...shapes, [0, 1]], bodies: [[0.5, 0, 1, 0, 1, 1]], joints: [] }],
+    ['a body without a place', { shapes, bodies: [[0]], joints: [] }],
+    ['a body at the end of the world', { shapes, bodies: [[0, 1e12, 1, 0, 1, 1]], joints: [] }],
+    ['an unknown joint', linkOf(0, 1, 99)],
+    ['a joint of a body to itself', linkOf(1, 1, 0)],
+  ])('a link with %s is refused in a sentence, before a game starts with it', async (_, scene) => {
+    await expect(readScene(await writeScene(scene))).rejects.toThrow(
+      /^The scene in the address cannot be read because it has .* that cannot be\. A tower stands instead\.$/,
+    );
+  });
+
   it('a link keeps the surface of each body; one without surfaces has those of the panel', async () => {
     const sim = make({ build: 'cradles', count: 5 });
     const scene = await readScene(await writeScene(sceneOf(sim.world, sim.ground)));

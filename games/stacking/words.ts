@@ -63,6 +63,7 @@ const en = {
     sentence: (why: string) => `The scene in the address cannot be read because ${why}. A tower stands instead.`,
     version: 'its version is unknown',
     incomplete: 'it is incomplete',
+    impossible: 'it has a shape, a body or a joint that cannot be',
   },
 };
 
@@ -130,6 +131,7 @@ const de: Words = {
     sentence: (why) => `Die Szene in der Adresse ist nicht lesbar: ${why}. Stattdessen steht hier ein Turm.`,
     version: 'Ihre Version ist unbekannt',
     incomplete: 'Sie ist unvollständig',
+    impossible: 'Sie enthält eine Form, einen Körper oder ein Gelenk, die es nicht geben kann',
   },
 };
 

@@ -96,4 +96,11 @@ it('saves the scene to a link, and says what is wrong with a broken one', async 
   // The note may have left before a slow machine has drawn the first picture.
   const wrong = await open('manual#scene=1.abc', { until: 'game' });
   await wrong.waitForFunction(() => __game.state().banner.includes('cannot be read'));
+  // {"shapes":[[2,0,0,0,1,0]],"bodies":[[0,0,1,0,1,1]],"joints":[]}: a polygon of two corners.
+  const impossible = await open('manual#scene=1.q1YqzkgsSC1WsoqONtIxAENDHYPYWB2lpPyUTIgEVBCIDUESWfmZeSUgidhaAA', {
+    until: 'game',
+  });
+  await impossible.waitForFunction(() => __game.state().banner.includes('that cannot be'));
+  await impossible.evaluate(() => __game.set('build', 'bridge'));
+  expect((await told(impossible)).joints).toBeGreaterThan(0);
 });
