@@ -37,15 +37,20 @@ const output = document.querySelector('output') as HTMLOutputElement;
 const { touch, keys, top } = output.dataset; // the words of index.html, in the reader's language
 const hint = matchMedia('(pointer: coarse)').matches ? touch : keys;
 const camera = { x: 0, y: height / 2, pixelsPerMetre: 1 };
-let [score, best] = [0, Number(localStorage.getItem('keep it up') ?? 0)];
+let [score, best] = [0, 0];
+try {
+  best = Number(localStorage.getItem('keep it up'));
+} catch {} // browsers may refuse to keep anything
 function kick(sideways: number) {
   Position.y[ball] = Math.max(Position.y[ball], 0.75); // clear of the floor
   Velocity.y[ball] = 9;
   Velocity.x[ball] = sideways;
   score++;
   best = Math.max(best, score);
-  localStorage.setItem('keep it up', String(best));
   beep(300 + 30 * score);
+  try {
+    localStorage.setItem('keep it up', String(best));
+  } catch {}
 }
 addEventListener('pointerdown', ({ clientX, clientY }) => {
   const { x, y } = toWorld(camera, app.screen, clientX, clientY, { x: 0, y: 0 });

@@ -107,3 +107,22 @@ it('can be begun with the space bar when the ball lies on the floor', async () =
   await watch(page, 10);
   expect(await text(page)).toBe('1');
 });
+
+it('plays, and keeps the best as long as the page, where the browser keeps nothing', async () => {
+  const page = await open('', { prepare: stopTime });
+  await page.addInitScript(() => {
+    const get = () => {
+      throw new DOMException('Not allowed.', 'SecurityError');
+    };
+    Object.defineProperty(globalThis, 'localStorage', { get });
+  });
+  await page.reload();
+  await start(page);
+  expect(await text(page)).toContain('best: 0');
+  await watch(page, 20 * 60);
+  await page.keyboard.press('Space');
+  await watch(page, 10);
+  expect(await text(page)).toBe('1');
+  for (let tries = 0; tries < 100 && !(await text(page)).includes('best'); tries++) await watch(page, 3);
+  expect(await text(page)).toContain('best: 1');
+});
