@@ -18,5 +18,6 @@ export function writeAddress(
     ...(seed === 1 ? {} : { seed: String(seed) }),
   });
   for (const [name, value] of query) own.set(name, value);
-  history.replaceState(null, '', `?${own}`.replaceAll('%2C', ','));
+  // What follows the # is code that a link brings, which a reload shall find.
+  history.replaceState(null, '', `?${own}`.replaceAll('%2C', ',') + location.hash);
 }
