@@ -18,12 +18,14 @@ export class Failures {
     globalThis.addEventListener('unhandledrejection', (event) => this.report(event.reason), { signal });
   }
 
-  /** Runs an action and reports its errors. */
-  guard(action: () => void): void {
+  /** Runs an action and reports its errors. @returns whether there was none */
+  guard(action: () => void): boolean {
     try {
       action();
+      return true;
     } catch (error) {
       this.report(error);
+      return false;
     }
   }
 
@@ -31,6 +33,11 @@ export class Failures {
     const message = error instanceof Error ? error.message : String(error);
     console.error(error);
     this.#banner.show(words().wrong(message), 'error', [words().restart, () => this.guard(this.#restart)]);
+  }
+
+  /** Takes the sentence of an error from the banner, because something else is tried. */
+  forget(): void {
+    if (this.#banner.kind === 'error') this.#banner.hide();
   }
 
   /** Runs an action that the browser may refuse; a refusal is shown as a note, not as an error. */

@@ -81,7 +81,10 @@ export function createActions<S extends Settings, Sim extends Simulation>(app: A
     fullScreen: () => failures.attempt(() => toggleFullScreen(app.layout.root)),
     reducedMotion: () => app.change({ reducedMotion: !app.preferences.reducedMotion }),
     safeColors: () => app.change({ safeColors: !app.preferences.safeColors }),
-    renderer: (name) => void app.views.show(name),
+    renderer: (name) => {
+      failures.forget();
+      void app.views.show(name);
+    },
     toggle: (name) => app.toggle(name),
   };
 }

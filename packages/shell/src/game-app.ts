@@ -156,7 +156,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     listenToPage({ onHidden: () => this.#pauseHidden(), onReducedMotion }, signal);
     await this.views.show(this.views.renderer);
     if (signal.aborted) return;
-    if (this.session.started) this.#offerHook();
+    this.#offerHook();
     const loop = startLoop(
       (seconds) => this.#frame(seconds),
       (error) => {
@@ -204,10 +204,10 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
 
   #frame(seconds: number): void {
     const session = this.session;
-    if (!session.started) return;
     this.#sinceReset += seconds;
-    this.#sinceStats += seconds;
     if (this.#resetWanted && this.#sinceReset >= RESET_INTERVAL) this.reset();
+    if (!session.started) return;
+    this.#sinceStats += seconds;
     this.#controls?.poll();
     if (this.rewinding)
       this.#rewindBy(seconds * session.speed); // A closure here would allocate in every frame.
@@ -256,17 +256,18 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.sidebar?.show(sim, countInto(this.#timing.copyTo(this.#stats), this.#game, sim));
   }
 
-  /** Makes a world for the view of another renderer. @returns whether there is one */
+  /** Makes a world for the view of another renderer. @returns whether it could be made */
   #prepareWorld(dimensions: 2 | 3): boolean {
     this.sharing.dropClip(words().clipDropped);
     this.session.dimensions = dimensions;
     this.refresh();
-    this.failures.guard(() => this.reset());
-    return this.session.started;
+    return this.failures.guard(() => this.replaceWorld(() => this.session.reset()));
   }
 
   reset(seed?: number): void {
-    this.replaceWorld(() => this.session.reset(seed));
+    // A picture that is missing for want of a world comes with the world.
+    if (this.views.lacksWorld) void this.views.show(this.views.wanted).then(() => this.#offerHook());
+    else this.replaceWorld(() => this.session.reset(seed));
   }
 
   /** Replaces the world and shows the new one. */
@@ -364,11 +365,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   }
 
   #offerHook(): void {
-    const hook = this.#createHook();
-    globalThis.__game = hook;
-    this.#end.signal.addEventListener('abort', () => {
-      if (globalThis.__game === hook) Reflect.deleteProperty(globalThis, '__game');
-    });
+    const { signal } = this.#end;
+    if (this.session.started && !signal.aborted) offerHook(this.#createHook(), signal);
   }
 
   #createHook(): GameHook {

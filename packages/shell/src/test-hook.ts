@@ -133,6 +133,14 @@ export interface PageState
   readonly view: View | undefined;
 }
 
+/** Makes a hook that of the page until the signal. */
+export function offerHook(hook: GameHook, signal: AbortSignal): void {
+  globalThis.__game = hook;
+  signal.addEventListener('abort', () => {
+    if (globalThis.__game === hook) Reflect.deleteProperty(globalThis, '__game');
+  });
+}
+
 /** @param restore moves the session to a moment of the past @param record lets plots record a step */
 export function createHook<S extends Settings, Sim extends Simulation>(
   session: Session<S, Sim>,

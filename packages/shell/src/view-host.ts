@@ -6,7 +6,7 @@ import { words } from './words.ts';
 export interface ViewHostEvents {
   /**
    * The view was closed, and one of another renderer is to be opened: makes a world for it.
-   * @returns whether there is one
+   * @returns whether it could be made
    */
   onSwitch(dimensions: 2 | 3): boolean;
   /** Drawing failed; `sentence` says why. */
@@ -20,6 +20,8 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
   view: View | undefined;
   /** The graphics context of the view is lost. */
   isLost = false;
+  /** There is no view, because there was no world for it. */
+  lacksWorld = false;
   /** The renderer of the view. */
   renderer: string;
   /** The renderer that the player chose last; its code may not have been loaded. */
@@ -49,7 +51,8 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
   }
 
   /**
-   * Opens a view of a renderer, with a new world of the same settings. If its code cannot be loaded, the one before stays.
+   * Opens a view of a renderer, with a new world of the same settings. If its code cannot be loaded, or its world cannot be made,
+   * the one before comes back.
    * Resolves when a view is open or has failed.
    */
   async show(name: string): Promise<void> {
@@ -59,10 +62,12 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     this.wanted = name;
     this.renderer = name;
     this.#close();
-    const opening = this.#events.onSwitch(renderer.dimensions) ? this.#open(renderer) : Promise.resolve(true);
+    this.#ticket++;
+    this.lacksWorld = !this.#events.onSwitch(renderer.dimensions);
+    const opening = this.lacksWorld ? Promise.resolve(false) : this.#open(renderer);
     this.#opening = opening;
-    const isLoaded = await opening;
-    if (isLoaded || before === undefined || before === name || this.renderer !== name) return;
+    const isThere = await opening;
+    if (isThere || before === undefined || before === name || this.renderer !== name) return;
     await this.show(before);
     this.wanted = name;
   }
