@@ -64,3 +64,19 @@ it('goes back to the renderer before, and says why, where the world of another c
   expect(await banner(page).count()).toBe(0);
   await page.close();
 });
+
+it('shows a note below an error, which stays when the note leaves', async () => {
+  const page = await open('3');
+  await isReady(page);
+  await page.locator('[data-renderer=three]').click();
+  await banner(page).getByText('no room of 3 dimensions').waitFor();
+  await isReady(page);
+  const error = await page.evaluate(() => __game.state().banner);
+  // Copying is refused: the page is not allowed to, and says so in a note.
+  await page.locator('button[title*="link" i]').first().click();
+  await page.waitForFunction((before) => __game.state().banner.startsWith(`${before}\n`), error);
+  await page.mouse.move(5, 300);
+  await page.waitForFunction((before) => __game.state().banner === before, error);
+  expect(await banner(page).getByRole('button', { name: 'Restart' }).isVisible()).toBe(true);
+  await page.close();
+});

@@ -11,7 +11,10 @@ export interface Banner {
   /** The text on display; empty when the banner is hidden. */
   readonly text: string;
   readonly kind: BannerKind;
-  /** @param action label and handler of an extra button; the close button always hides the banner */
+  /**
+   * A note does not replace an error: it is shown below it, and leaves by itself.
+   * @param action label and handler of an extra button; the close button always hides the banner
+   */
   show(text: string, kind: BannerKind, action?: readonly [string, () => void]): void;
   /** Shows a note below what is on display already. */
   add(note: string): void;
@@ -25,19 +28,28 @@ export function createBanner(parent: HTMLElement): Banner {
   const text = element('p', '');
   const act = element('button', '', { type: 'button' });
   const close = element('button', '', { type: 'button', 'aria-label': words().hideMessage }, '✕');
-  const box = element('div', 'game-banner', { role: 'alert' }, text, act, close);
+  const below = element('p', '');
+  const box = element('div', 'game-banner', { role: 'alert' }, element('div', '', {}, text, below), act, close);
   box.hidden = true;
+  below.hidden = true;
   parent.append(box);
   let kind: BannerKind = 'note';
   let timer = 0;
-  const hide = () => {
+  const showBelow = (note: string) => {
     clearTimeout(timer);
+    below.textContent = note;
+    below.hidden = note === '';
+    if (note !== '') leaveLater(note);
+  };
+  const hide = () => {
+    showBelow('');
     box.hidden = true;
     text.textContent = '';
   };
   const leave = () => {
     // A note under the pointer or with the focus is being read or used.
     if (box.matches(':hover, :focus-within')) timer = window.setTimeout(leave, 1000);
+    else if (kind === 'error') showBelow('');
     else hide();
   };
   close.addEventListener('click', hide);
@@ -47,13 +59,16 @@ export function createBanner(parent: HTMLElement): Banner {
   };
   const banner: Banner = {
     get text() {
-      return text.textContent ?? '';
+      return below.hidden ? `${text.textContent}` : `${text.textContent}\n${below.textContent}`;
     },
     get kind() {
       return kind;
     },
     show(message, messageKind, action) {
-      clearTimeout(timer);
+      if (messageKind === 'note' && kind === 'error' && !box.hidden) return showBelow(message);
+      // An error that comes with every frame leaves the note below it its time.
+      if (messageKind === 'error' && text.textContent === message) return;
+      showBelow('');
       if (messageKind === 'note') leaveLater(message);
       if (text.textContent === message) return;
       kind = messageKind;

@@ -88,7 +88,7 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
 .game-banner:not([data-kind=error]) { bottom: auto; top: calc(var(--bar, 58px) + 8px); padding: 7px 8px 7px 16px;
   background: #18224a; border-color: #9bb4ff55; color: #dfe7ff }
 .game:has(.game-side:not([hidden])) .game-banner { left: calc(50% - 144px); max-width: min(680px, calc(100% - 320px)) }
-.game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere; hyphens: auto }
+.game-banner p { margin: 0; white-space: pre-line; overflow-wrap: anywhere; hyphens: auto } .game-banner p + p { margin-top: 8px }
 .game-banner button, .game-help button { flex: none; border: 1px solid #ffffff30; border-radius: 9px; background: #ffffff14;
   color: inherit; font: inherit; padding: 5px 12px; cursor: pointer }
 .game-help { box-sizing: border-box; max-height: calc(100dvh - 32px); overflow: hidden auto; border: 1px solid var(--line); border-radius: 18px; padding: 22px 26px; max-width: min(460px, calc(100vw - 80px));
@@ -191,7 +191,7 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
 @media (min-width: 860px), (min-width: 700px) and (max-height: 479px) { .game-help { max-width: 780px } .game-help dl { grid-template-columns: fit-content(150px) 1fr fit-content(150px) 1fr } }
 @media (max-height: 479px) { .game-help { max-height: calc(100dvh - 16px); padding: 12px 26px; line-height: 1.4 } .game-help h2 { margin-bottom: 6px } .game-help footer { bottom: -12px; margin-bottom: -12px; padding-block: 6px 8px } }
 @container (max-width: 520px) { .game-bar :is([data-minor], [data-renderer][aria-pressed=true]) { display: none }
-  .game-banner[data-kind=error] { flex-wrap: wrap; justify-content: end } .game-banner[data-kind=error] p { flex-basis: 100% } }
+  .game-banner[data-kind=error] { flex-wrap: wrap; justify-content: end } .game-banner[data-kind=error] div { flex-basis: 100% } }
 /* The help is a dialog over the whole page. */
 @media (max-width: 520px) {
   .game-help { max-width: calc(100vw - 24px); padding: 18px } .game-help dl { grid-template-columns: minmax(min-content, 27%) 1fr }
