@@ -80,3 +80,17 @@ it('shows a note below an error, which stays when the note leaves', async () => 
   expect(await banner(page).getByRole('button', { name: 'Restart' }).isVisible()).toBe(true);
   await page.close();
 });
+
+it('resumes by the space bar after the timeline was clicked, which keeps the arrow keys', async () => {
+  const page = await open('');
+  await isReady(page);
+  await page.waitForFunction(() => __game.state().tick > 20);
+  await page.locator('.game-timeline input').click({ position: { x: 30, y: 8 } });
+  const { tick } = await page.evaluate(() => __game.state());
+  expect(await page.evaluate(() => __game.state().paused)).toBe(true);
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((before) => __game.state().tick > before, tick);
+  await page.keyboard.press('Space');
+  expect(await page.evaluate(() => __game.state().paused)).toBe(false);
+  await page.close();
+});

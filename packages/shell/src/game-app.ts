@@ -24,7 +24,7 @@ import { Sharing } from './sharing.ts';
 import type { Sidebar } from './sidebar.ts';
 import { SpaceBar } from './space-bar.ts';
 import { countInto, noStatistics } from './statistics.ts';
-import { createHook, type GameHook } from './test-hook.ts';
+import { createHook, type GameHook, offerHook } from './test-hook.ts';
 import { createTimeline, type Timeline } from './timeline.ts';
 import { createToolbar, type Toolbar } from './toolbar.ts';
 import { createViewContext } from './view-context.ts';
@@ -108,7 +108,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.sharing = this.#makeSharing();
     this.help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
     this.#controls = game.controls && listenToControls(root, game.controls, () => this.session.sim, this.#keyTarget);
-    this.#timeline = game.hasTimeline ? createTimeline(root, this.session, (moment) => this.#seek(moment)) : undefined;
+    this.#timeline = game.hasTimeline ? this.#createTimeline() : undefined;
     const watch = game.replay && this.#actions.replay;
     this.#outcome =
       game.outcome &&
@@ -247,6 +247,11 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #seek(moment: number): void {
     this.pause(true);
     this.failures.guard(() => this.restorePast(() => this.session.seekMoment(moment, !this.#broken)));
+  }
+
+  #createTimeline(): Timeline {
+    const seek = (moment: number) => this.#seek(moment);
+    return createTimeline(this.layout.root, this.session, seek, () => this.pause());
   }
 
   #showStats(): void {

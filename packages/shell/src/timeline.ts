@@ -17,8 +17,17 @@ export interface Timeline {
   show(): void;
 }
 
-/** @param recorded is read whenever the bar is shown @param seek goes to a moment */
-export function createTimeline(parent: HTMLElement, recorded: RecordedTime, seek: (moment: number) => void): Timeline {
+/**
+ * @param recorded is read whenever the bar is shown
+ * @param seek goes to a moment
+ * @param pause pauses or resumes: the space bar, which does nothing else on the bar
+ */
+export function createTimeline(
+  parent: HTMLElement,
+  recorded: RecordedTime,
+  seek: (moment: number) => void,
+  pause: () => void,
+): Timeline {
   const label = words().timeline;
   const range = element('input', '', { type: 'range', min: '0', max: '1', value: '1', 'aria-label': label });
   const time = element('output', '');
@@ -38,6 +47,12 @@ export function createTimeline(parent: HTMLElement, recorded: RecordedTime, seek
   range.addEventListener('input', () => {
     seek(Number(range.value));
     show();
+  });
+  // A bar that was clicked keeps the focus, for the arrow keys.
+  range.addEventListener('keydown', (event) => {
+    if (event.key !== ' ' || event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    pause();
   });
   return { show };
 }
