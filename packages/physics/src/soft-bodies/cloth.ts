@@ -37,7 +37,7 @@ export interface ClothOptions extends SpringOptions {
   readonly mass: number;
   /** Direction along a row; any length but 0; default +x. */
   readonly right?: VectorInput;
-  /** Direction down a column, perpendicular to the rows; default -y. */
+  /** Direction down a column; default -y. A cloth whose directions are not perpendicular is at rest when skewed so. */
   readonly down?: VectorInput;
   /** Stiffness of the springs along rows and columns, N/m; default Infinity, which needs the integrator `xpbd`. */
   readonly structural?: number;
@@ -127,15 +127,15 @@ function placeNodes(options: ClothOptions, columns: number, rows: number) {
   return { position, mass: masses };
 }
 
-/** The diagonals of a skewed cloth would be strained. */
-const MAX_COSINE = 1e-6;
+/** Of the angle between rows and columns. */
+const MAX_COSINE = 0.99;
 
 function directionsOf(options: ClothOptions) {
   const right = unit(checkVector(options.right ?? { x: 1 }, 'cloth.right'), 'cloth.right');
   const down = unit(checkVector(options.down ?? { y: -1 }, 'cloth.down'), 'cloth.down');
   const cosine = right.x * down.x + right.y * down.y + right.z * down.z;
-  if (Math.abs(cosine) <= MAX_COSINE) return { right, down };
-  throw new PhysicsError('E_RANGE', 'cloth.down must be perpendicular to cloth.right.', {
+  if (Math.abs(cosine) <= MAX_COSINE) return { right, down, cosine };
+  throw new PhysicsError('E_RANGE', 'cloth.down must not be parallel to cloth.right.', {
     field: 'cloth.down',
     value: down,
     hint: 'Give both directions: down is -y unless it is given.',
@@ -190,7 +190,9 @@ function addPolylines(list: SpringList, options: ClothOptions, columns: number, 
 function addBraces(list: SpringList, options: ClothOptions, columns: number, rows: number): void {
   const shear = checkStiffness(options.shear ?? 0, 'cloth.shear');
   const bend = checkStiffness(options.bend ?? 0, 'cloth.bend');
-  const [diagonal, straight] = [Math.SQRT2 * options.spacing, 2 * options.spacing];
+  const { cosine } = directionsOf(options);
+  const [diagonal, other] = [diagonalOf(cosine) * options.spacing, diagonalOf(-cosine) * options.spacing];
+  const straight = 2 * options.spacing;
   const add = (column: number, row: number, right: number, down: number, stiffness: number, length: number) => {
     const [toColumn, toRow] = [column + right, row + down];
     if (stiffness === 0 || toColumn < 0 || toColumn >= columns || toRow >= rows) return;
@@ -198,11 +200,16 @@ function addBraces(list: SpringList, options: ClothOptions, columns: number, row
   };
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) add(column, row, 1, 1, shear, diagonal);
-    for (let column = 0; column < columns; column++) add(column, row, -1, 1, shear, diagonal);
+    for (let column = 0; column < columns; column++) add(column, row, -1, 1, shear, other);
     for (let column = 0; column < columns; column++) if (column % 4 < 2) add(column, row, 2, 0, bend, straight);
     for (let column = 0; column < columns; column++) if (column % 4 > 1) add(column, row, 2, 0, bend, straight);
     for (let column = 0; column < columns; column++) add(column, row, 0, 2, bend, straight);
   }
+}
+
+/** The length of the diagonal of a rhombus with sides of 1 that are at an angle with this cosine. */
+function diagonalOf(cosine: number): number {
+  return cosine === 0 ? Math.SQRT2 : Math.sqrt(2 + 2 * cosine);
 }
 
 /**

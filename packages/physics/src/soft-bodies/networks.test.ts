@@ -306,8 +306,10 @@ describe('input of cloths and springs', () => {
     expect(maxStrain(world)).toBeLessThan(1e-14);
     const before = stateHash(world);
     expect(() => createCloth(world, { ...sheet, right: {} })).toThrow('cloth.right has no direction');
-    expect(() => createCloth(world, { ...sheet, right: { y: 1 } })).toThrow('must be perpendicular');
+    expect(() => createCloth(world, { ...sheet, right: { y: 1 } })).toThrow('must not be parallel');
     expect(stateHash(world)).toBe(before);
+    createCloth(world, { ...sheet, right: { x: 1, y: -0.5 }, shear: 10, bend: 1 });
+    expect(maxStrain(world)).toBeLessThan(1e-14);
   });
 
   test('counts the room for all of a cloth at once', () => {
