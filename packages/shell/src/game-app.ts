@@ -8,6 +8,7 @@ import { tendFocus } from './focus.ts';
 import { DRAW, FRAME, FrameTimes, STEP } from './frame-times.ts';
 import type { GameDefinition, Simulation } from './game.ts';
 import { createActions } from './game-actions.ts';
+import type { GamePlace } from './game-place.ts';
 import { createHelpDialog, type HelpDialog } from './help-dialog.ts';
 import { RESET_INTERVAL, STATS_INTERVAL } from './intervals.ts';
 import { listenToKeys } from './keyboard.ts';
@@ -30,14 +31,6 @@ import { createToolbar, type Toolbar } from './toolbar.ts';
 import { createViewContext } from './view-context.ts';
 import { ViewHost } from './view-host.ts';
 import { words } from './words.ts';
-
-/** Where a game is. */
-export interface GamePlace {
-  /** The element of the page that the game fills; undefined if it has the whole page. */
-  readonly parent: HTMLElement | undefined;
-  /** Address of what is on display; undefined for that of its settings, its seed, its renderer and its plot. */
-  readonly link: (() => string) | undefined;
-}
 
 /** A game on a page: the session, the view and the user interface around them. */
 export class GameApp<S extends Settings, Sim extends Simulation> {

@@ -44,7 +44,10 @@ export class HeldButtons {
 
   #release(name: string): void {
     const order = this.#orders.get(name);
-    if (order === undefined) return this.#actions.release(name);
+    if (order === undefined) {
+      this.#actions.release(name);
+      return;
+    }
     const counted = order.at(-1) === name;
     order.splice(order.indexOf(name), 1);
     const next = order.at(-1);
