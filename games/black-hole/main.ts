@@ -19,7 +19,6 @@ startGame({
     buttons: { ...FOUR_WAYS, action: { label: '↻', keys: ['n'], pad: [2], touch: false } },
     press: (sim, name) => sim.press(name === 'action' ? 'redraw' : (name as Input)),
     release: (sim, name) => name !== 'action' && sim.press('release'),
-    exclusive: [Object.keys(FOUR_WAYS)],
     letGo: (sim) => sim.letGo(),
     steer: (sim, x, y) => sim.steer(x, y),
   },
