@@ -118,6 +118,7 @@ function solveNewton(t: ConstraintTable, first: i32, last: i32, turnsSharply: bo
     if (!(error < 10 * previousError)) return false;
     previousError = error;
     substitute(t, first, last);
+    applyChanges(t, first, last);
   }
   return eliminate(t, first, last, turnsSharply, 0) <= TOLERANCE;
 }
@@ -238,7 +239,7 @@ function findStartDirections(t: ConstraintTable, first: i32, last: i32, h: f64):
   return d;
 }
 
-// Back substitution: computes the changes of the tensions and moves the bodies.
+// Back substitution: computes the unknowns.
 function substitute(t: ConstraintTable, first: i32, last: i32): void {
   let next: f64 = 0;
   for (let row = last - 1; row >= first; row--) {
@@ -246,6 +247,10 @@ function substitute(t: ConstraintTable, first: i32, last: i32): void {
     next = link.active > 0 ? link.rhs - link.upper * next : 0;
     link.change = next;
   }
+}
+
+// Changes the tensions and moves the bodies.
+function applyChanges(t: ConstraintTable, first: i32, last: i32): void {
   for (let row = first; row < last; row++) {
     const link = linkOf(t, row);
     if (link.active == 0) continue;
@@ -319,12 +324,7 @@ function solveImpulses(t: ConstraintTable, first: i32, last: i32): void {
     eliminateRow(link, before, <f64>packedComponent(packedAt(t, word(t.a, row)), 3), link.diagonal, link.rate);
     before = link;
   }
-  let next: f64 = 0;
-  for (let row = last - 1; row >= first; row--) {
-    const link = linkOf(t, row);
-    next = link.active > 0 ? link.rhs - link.upper * next : 0;
-    link.change = next;
-  }
+  substitute(t, first, last);
 }
 
 // Lets rows loose that would push, and holds loose ones that would extend. Returns whether there were any.

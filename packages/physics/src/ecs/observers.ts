@@ -84,8 +84,7 @@ function checkComplete(
     ? initialValues(name)
     : { ...presentValues(world, eid, name), ...pendingValues(world, eid, name) };
   const all = completeValues(world, name, values, () => before, eid);
-  for (const field of Object.keys(all)) if (all[field] !== before[field]) values[field] = all[field];
-  for (const field of Object.keys(values)) values[field] = all[field];
+  for (const field of Object.keys(all)) if (field in values || all[field] !== before[field]) values[field] = all[field];
   return values;
 }
 
