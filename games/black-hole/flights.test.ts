@@ -1,5 +1,7 @@
 import { step } from '@principia/physics';
+import { BLACK_HOLE } from '@principia/scenes';
 import { describe, expect, it, test } from 'vitest';
+import { Flight } from './flight.ts';
 import { calm, fall, play, run, ship } from './game-lab.ts';
 import { pushOf } from './heading.ts';
 import { opensToOneKey } from './one-key-flight.ts';
@@ -23,6 +25,20 @@ test.each(['up', 'left', 'down', 'right'] as const)(
   },
   60_000,
 );
+
+test('who waits below moving holes and then only climbs falls or is lost, too', () => {
+  const ends: string[] = [];
+  for (const [level, seed] of [5, 7].flatMap((level) => [1, 2, 3, 4, 5, 6].map((seed) => [level, seed]))) {
+    const { holes } = play(seed, { level, moving: true }).scene;
+    const flight = new Flight();
+    for (let wait = 0; wait < 9; wait += 0.75) {
+      flight.begin({ ...BLACK_HOLE.start, vx: 0, vy: 0 }, holes, wait);
+      while (flight.status === 'flying') flight.step(1 / 120, { x: 0, y: BLACK_HOLE.thrust });
+      if (flight.status === 'goal') ends.push(`level ${level}, seed ${seed}, after ${wait} s`);
+    }
+  }
+  expect(ends).toEqual([]);
+}, 60_000);
 
 describe('the breath between two flights', () => {
   it('keeps the ship where it ended with its engine off, and waits for a new input', () => {
