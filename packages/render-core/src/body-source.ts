@@ -81,5 +81,7 @@ export interface BodySource {
      * the old present ones and are not uploaded again. Default none: both are always uploaded.
      */
     readonly steps?: number;
+    /** Number of times that an earlier state came back, at which trails begin anew. Default none: they go on. */
+    readonly restored?: number;
   };
 }

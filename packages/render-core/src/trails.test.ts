@@ -114,6 +114,24 @@ function worldWithTrails(options: { listed?: boolean; interval?: number }) {
   return { world, ids, history, points, play };
 }
 
+describe('trails of a world that goes back', () => {
+  it.each([{ interval: 1 }, { interval: 3 }])(
+    'begin anew: their points lie in the future: $interval',
+    ({ interval }) => {
+      const { world, ids, history, points, play } = worldWithTrails({ interval });
+      const start = snapshot(world);
+      play(5 * interval);
+      expect(points()).toEqual([5, 5]);
+      restore(world, start);
+      history.record();
+      expect(points()).toEqual([1, 1]);
+      expect(history.x[history.newestSlice * TEXTURE_WIDTH + ids[0]]).toBe(3);
+      play(interval);
+      expect(points()).toEqual([2, 2]);
+    },
+  );
+});
+
 describe('the trail of a body that is removed', () => {
   it.each([{ interval: 1 }, { interval: 3 }])('ends with it, and comes back with it: $interval', ({ interval }) => {
     const { world, ids, history, points, play } = worldWithTrails({ listed: true, interval });

@@ -64,6 +64,7 @@ export class TrailHistory {
   readonly #generations: Uint32Array;
   #searches = 1;
   #posesSinceRecording: number;
+  #restored: number | undefined;
 
   /** @throws Error where `length`, `interval` or one of `bodies` is out of range */
   constructor(options: TrailOptions) {
@@ -92,14 +93,19 @@ export class TrailHistory {
       this.#generations[slot] = this.#living.generationOf(id);
     });
     this.#posesSinceRecording = interval;
+    this.#restored = source.versions.restored;
   }
 
   /**
-   * Records the source's current pose. Call it once for every value of `source.versions.pose`.
+   * Records the source's current pose. Call it once for every value of `source.versions.pose`. After an earlier state came back
+   * all trails begin anew, as their points would lie in its future.
    *
    * @returns true when a slice was written, false when the interval skips this pose
    */
   record(): boolean {
+    const { restored } = this.source.versions;
+    if (restored !== this.#restored) this.clear();
+    this.#restored = restored;
     // Between two recordings, too: the line to the place of a body that is gone would be drawn until the next one.
     if (this.#living.refresh()) this.#findBirths();
     this.#posesSinceRecording++;

@@ -57,6 +57,9 @@ export function worldSource(world: PhysicsWorld): BodySource {
       get steps() {
         return world.tick;
       },
+      get restored() {
+        return versions.restored;
+      },
     },
   };
 }
