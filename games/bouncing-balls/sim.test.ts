@@ -1,6 +1,7 @@
 import { energy, restore, snapshot, stateHash, step } from '@principia/physics';
 import { expect, it } from 'vitest';
 import { blast } from './blast.ts';
+import { longestMove } from './longest-move.ts';
 import { createBalls } from './sim.ts';
 
 const VALUES = { count: 40, gravity: 0, restitution: 1, drag: 0, friction: 0, collisions: false, wrap: false };
@@ -29,6 +30,20 @@ it.each([2, 3] as const)('balls that wrap around keep their velocity along the o
     }
   }
 });
+
+it.each([2, 3] as const)(
+  'trails take a way across the room for none, and a fast flight for one, in %iD',
+  (dimensions) => {
+    const { room, radius } = make({ wrap: true }, dimensions);
+    const longest = longestMove({ room });
+    // Who leaves at a side is put to the other, and seen up to four steps later: 1 m at 15 m/s.
+    for (const axis of ['x', 'z'] as const) {
+      const across = room.max[axis] - room.min[axis] - 2 * radius;
+      if (across > 0) expect(across).toBeGreaterThan(longest + 1);
+    }
+    expect(longest).toBeGreaterThan(2);
+  },
+);
 
 it('a blast gives energy to what is near, away from its centre', () => {
   const sim = make();

@@ -5,6 +5,7 @@ import type { BouncingBalls } from '@principia/scenes';
 import type { View, ViewContext } from '@principia/shell';
 import { openPixiView, type Picture } from '@principia/shell/pixi';
 import { Container } from 'pixi.js';
+import { longestMove } from './longest-move.ts';
 import { createPlay } from './play.ts';
 import { createRoom2D } from './room-2d.ts';
 import type { Settings } from './settings.ts';
@@ -57,6 +58,7 @@ function paint(sim: BouncingBalls, source: BodySource, wantsTrails: () => boolea
           thickness: Math.min(5, 60 * sim.radius),
           opacity: 0.5,
           blendMode: 'add',
+          maxSegment: longestMove(sim),
         })
       : undefined;
     if (trails !== undefined) trailParent.addChild(trails.container);

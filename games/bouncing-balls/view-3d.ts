@@ -4,6 +4,7 @@ import { createBodyMesh, createTrailLines, type TrailLines } from '@principia/re
 import type { View, ViewContext } from '@principia/shell';
 import { openThreeView, type ThreePicture } from '@principia/shell/three';
 import { Group, MeshStandardMaterial } from 'three';
+import { longestMove } from './longest-move.ts';
 import { createPlay } from './play.ts';
 import { createRoom3D } from './room-3d.ts';
 import type { Settings } from './settings.ts';
@@ -57,7 +58,8 @@ function createPicture(sim: BallsRun, source: BodySource, hasTrails: () => boole
     if (trails !== undefined) object.remove(trails.object);
     trails?.destroy();
     const bodies = sim.balls.subarray(0, MAX_TRAILS);
-    trails = shown ? createTrailLines({ source, bodies, length: 48, width: 2.5, opacity: 0.55 }) : undefined;
+    const style = { length: 48, width: 2.5, opacity: 0.55, maxSegment: longestMove(sim) };
+    trails = shown ? createTrailLines({ source, bodies, ...style }) : undefined;
     if (trails !== undefined) object.add(trails.object);
   };
   showTrails(hasTrails());

@@ -282,6 +282,16 @@ describe('lines', () => {
     expect(sparse[0].count).toBeLessThan(sparse[1].count);
   });
 
+  test.each([1, 2])('a trail has a gap where its body was teleported, every %d poses', async (interval) => {
+    for (const alpha of [0.1, 0.9]) {
+      const { count, afterJump } = await lab('trail', { alpha, interval });
+      const joined = await lab('trail', { alpha, interval, maxSegment: 10 });
+      // The points before the jump fade by one more; a line through the whole circle has 6 m.
+      expect(Math.abs(afterJump / count - 1), `alpha ${alpha}`).toBeLessThan(0.1);
+      if (alpha > 0.5) expect(joined.afterJump - afterJump).toBeGreaterThan((4 * pixelsPerTangent) / 10);
+    }
+  });
+
   test('a segment has its length and width, is cleared, and may end behind the eye', async () => {
     const { drawn, cleared } = await lab('segment', false);
     const length = (4 * pixelsPerTangent) / 10;

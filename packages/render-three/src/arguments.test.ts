@@ -57,6 +57,11 @@ it('says which element and which opacity it needs', () => {
   for (const opacity of [-0.1, 1.1, Number.NaN]) {
     expect(() => createTrailLines({ source, length: 8, opacity })).toThrow('opacity must be a number from 0 to 1');
   }
+  for (const maxSegment of [0, -1, Number.NaN]) {
+    expect(() => createTrailLines({ source, length: 8, maxSegment })).toThrow(
+      'maxSegment must be a distance above zero',
+    );
+  }
 });
 
 it('needs a number for the place between two steps', () => {

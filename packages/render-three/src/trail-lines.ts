@@ -18,6 +18,11 @@ export interface TrailLinesOptions extends TrailOptions, TrailColors {
   width?: number;
   /** Opacity of a trail at the body, 0 to 1, fading to zero at its end; default 0.8. */
   opacity?: number;
+  /**
+   * Longest distance between two points that is still a movement, metres; a body that went further was teleported, and
+   * its trail has a gap there. Default: no limit.
+   */
+  maxSegment?: number;
 }
 
 /** The latest paths of bodies as fading lines. */
@@ -51,6 +56,7 @@ const OPTION_NAMES: OptionNames<TrailLinesOptions> = {
   defaultColor: true,
   width: true,
   opacity: true,
+  maxSegment: true,
 };
 
 /**
@@ -62,15 +68,18 @@ const OPTION_NAMES: OptionNames<TrailLinesOptions> = {
 export function createTrailLines(options: TrailLinesOptions): TrailLines {
   const source = sourceOf(options, 'createTrailLines');
   checkOptions(options, OPTION_NAMES, 'createTrailLines');
-  const { width = 1.5, opacity = 0.8 } = options;
+  const { width = 1.5, opacity = 0.8, maxSegment = Number.POSITIVE_INFINITY } = options;
   if (options.length > MAX_LENGTH) {
     throw new Error(`trails can have at most ${MAX_LENGTH} points, got ${options.length}: raise interval instead`);
   }
   if (!(opacity >= 0 && opacity <= 1)) throw new Error(`opacity must be a number from 0 to 1, got ${opacity}`);
+  if (!(maxSegment > 0)) throw new Error(`maxSegment must be a distance above zero, got ${maxSegment}`);
   const history = new TrailHistory(options);
   const textures = new TrailTextures(history, options);
   const { uniforms } = textures;
   uniforms.opacity = { value: opacity };
+  // Shaders need not know infinity.
+  uniforms.maxSegment = { value: Math.min(maxSegment, 1e30) };
   const segmentEnds = trailSegments(source.dimensions, history.interval > 1);
   const line = createWideLineMesh(segmentEnds, uniforms, width, (renderer) => textures.beforeDrawing(renderer));
   const object = new Group().add(line.mesh);

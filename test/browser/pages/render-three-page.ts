@@ -278,26 +278,44 @@ function cluster(count: number): BodySketch[] {
 }
 
 /** A body on a circle with a trail behind it; statistics with and without the body's own pixels. */
-function trail(options: { dimensions?: 2 | 3; interval?: number; alpha?: number; listed?: boolean }) {
-  const { dimensions = 3, interval = 1, alpha = 1, listed = false } = options;
+function trail(options: {
+  dimensions?: 2 | 3;
+  interval?: number;
+  alpha?: number;
+  listed?: boolean;
+  maxSegment?: number;
+}) {
+  const { dimensions = 3, interval = 1, alpha = 1, listed = false, maxSegment = 1 } = options;
   const stage = createStage();
   const source = sketch(createTestBodySource(1024, dimensions), [{ id: 700, at: [3, 0, 0], color: 0xff00ff00 }]);
-  const trails = createTrailLines({ source, length: 40, width: 2, interval, ...(listed ? { bodies: [700] } : {}) });
+  const trails = createTrailLines({
+    source,
+    length: 40,
+    width: 2,
+    interval,
+    maxSegment,
+    ...(listed ? { bodies: [700] } : {}),
+  });
   stage.scene.add(trails.object);
-  const place = (step: number) => {
-    source.previousPosition.x[700] = source.position.x[700];
-    source.previousPosition.y[700] = source.position.y[700];
-    source.position.x[700] = 3 * Math.cos(step * 0.05);
-    source.position.y[700] = 3 * Math.sin(step * 0.05);
+  const { position, previousPosition } = source;
+  const place = (step: number, isTeleport = false) => {
+    previousPosition.x[700] = position.x[700];
+    previousPosition.y[700] = position.y[700];
+    position.x[700] = 3 * Math.cos(step * 0.05);
+    position.y[700] = 3 * Math.sin(step * 0.05);
+    if (isTeleport) for (const axis of ['x', 'y'] as const) previousPosition[axis][700] = position[axis][700];
     source.versions.pose++;
     trails.update(alpha);
   };
   for (let step = 0; step <= 30; step++) place(step);
   const pixels = pixelsOf(stage);
+  // To the other side of the circle.
+  place(31 + Math.round(Math.PI / 0.05), true);
+  const afterJump = lit(pixelsOf(stage), width).count;
   trails.history.restart(700);
   place(31);
   const afterRestart = lit(pixelsOf(stage), width).count;
-  return { ...lit(pixels, width), top: highest(pixels), afterRestart };
+  return { ...lit(pixels, width), top: highest(pixels), afterJump, afterRestart };
 }
 
 /** The row of the highest lit pixel, from the middle. */

@@ -15,6 +15,7 @@ uniform int points;
 uniform int recordings;
 uniform int newestIsCurrent;
 uniform float opacity;
+uniform float maxSegment; // between points farther apart than this, metres, the body was teleported
 uniform float poseAlpha;
 
 ivec2 cellAt(int i) { return ivec2(i % ${TEXTURE_WIDTH}, i / ${TEXTURE_WIDTH}); }
@@ -40,7 +41,9 @@ vec3 recorded(ivec2 at, int number) {
 const bodyBetweenRecordings = /* glsl */ `
 vec3 bodyNow(ivec2 at, int id, int born) {
   vec3 present = recorded(at, recordings - 1);
-  return recordings - 2 < born ? present : mix(recorded(at, recordings - 2), present, poseAlpha);
+  if (recordings - 2 < born) return present;
+  vec3 before = recorded(at, recordings - 2);
+  return distance(before, present) > maxSegment ? present : mix(before, present, poseAlpha);
 }
 `;
 const bodyFromColumns = /* glsl */ `
@@ -60,6 +63,7 @@ bool segmentEnds(int i, out vec3 a, out vec3 b, out vec4 colorA, out vec4 colorB
   if (numberB < born || numberB < 0) return false;
   a = piece == 0 ? bodyNow(at, id, born) : recorded(at, numberB + 1);
   b = recorded(at, numberB);
+  if (distance(a, b) > maxSegment) return false;
   uint bytes = onlyColor != 0u ? onlyColor : texelFetch(bodyColors, cellAt(id), 0).r;
   colorA = lineColor(bytes != 0u ? bytes : defaultColor);
   colorA.a *= opacity;
