@@ -27,6 +27,11 @@ export class MusicPlayer {
   /** Time of the show at the last frame, s, and the frames since it moved. */
   #shown = -1;
   #still = 0;
+  readonly #end = new AbortController();
+
+  constructor() {
+    document.addEventListener('visibilitychange', () => document.hidden && this.#pause(), { signal: this.#end.signal });
+  }
 
   /** @throws Error with a sentence where the browser cannot play the file */
   async load(file: File): Promise<Music> {
@@ -70,8 +75,15 @@ export class MusicPlayer {
   }
 
   destroy(): void {
+    this.#end.abort();
     this.stop();
     void this.#context?.close().catch(() => {});
+  }
+
+  /** A hidden page pauses the game and draws no frame that would tell. The next step goes on with the music. */
+  #pause(): void {
+    this.#still = PAUSED_FRAMES;
+    this.#stopSource();
   }
 
   #playFrom(time: number): void {
