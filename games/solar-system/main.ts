@@ -43,6 +43,7 @@ startGame({
   },
   replay: (sim) => sim.again(),
   outcome: outcomeOf,
+  attempt: ({ missionsBegun }) => missionsBegun,
   report: reportState,
   controls: {
     buttons: {

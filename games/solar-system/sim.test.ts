@@ -1,4 +1,4 @@
-import { angularMomentum, energy, step } from '@principia/physics';
+import { angularMomentum, energy, restore, snapshot, step } from '@principia/physics';
 import { EPOCH_2012, SOLAR_STATES } from '@principia/scenes';
 import { describe, expect, test } from 'vitest';
 import { julianDate } from './dates.ts';
@@ -139,4 +139,16 @@ describe('a probe', () => {
     const mean = Math.sqrt(lengthOf(start) * lengthOf(end));
     expect(lengthOf(difference(end, start)) / (2 * mean * Math.sin(turn / 2))).toBeCloseTo(1, 3);
   });
+});
+
+test('every mission is an attempt, also one that begins after a rewind to before the last', () => {
+  const game = open();
+  steps(game, 2);
+  const before = snapshot(game.world);
+  expect(game.missionsBegun).toBe(0);
+  game.startMission(MISSIONS[0]);
+  restore(game.world, before);
+  expect(game.missionsBegun).toBe(1);
+  game.startMission(MISSIONS[0]);
+  expect(game.missionsBegun).toBe(2);
 });

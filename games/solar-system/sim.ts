@@ -72,6 +72,8 @@ export class SolarGame {
   readonly opening: Opening;
   /** A flight that is repeated from its burns. */
   isReplay = false;
+  /** Missions that began in this world. It is no state of it: who goes back to one before goes on with the attempt. */
+  missionsBegun = 0;
   readonly #hasMoon: boolean;
   readonly #checkpoints: readonly Checkpoint[] = checkpoints();
   /** Burns of a replay that are still to come, and how many were made. */
@@ -148,6 +150,7 @@ export class SolarGame {
 
   /** Goes to the start of a mission, where a probe waits. @param burns of a flight to repeat */
   startMission(mission: Mission, burns: readonly Burn[] = []): void {
+    this.missionsBegun++;
     this.travelTo(mission.start);
     const { flight } = this;
     Object.assign(flight, newFlight(), { phase: 'ready', mission: mission.id, start: secondsOf(mission.start) });

@@ -162,6 +162,11 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   readonly controls?: Controls<Sim>;
   /** The result of the game, for the card with the high scores; undefined while the game is running. */
   outcome?(sim: Sim): Outcome | undefined;
+  /**
+   * Number of attempts that began in this world, for a game whose player begins anew in the same world: a result is ranked unless the
+   * player rewound in its attempt. It must not go back when the world does. Default one attempt for each world.
+   */
+  attempt?(sim: Sim): number;
   /** Values such as lives and score, for tests: `__game.state().game`. */
   report?(sim: Sim): Readonly<Record<string, unknown>>;
   /**

@@ -152,6 +152,22 @@ it('goes back in time: world, values and what the game keeps beside them, and on
   expect(session.rewound).toBe(false);
 });
 
+it('counts a rewind against the attempt in which it happened, where a world has several', () => {
+  let attempts = 1;
+  const session = new Session({ ...game, attempt: () => attempts }, initialValues(settings), 4, () => 0);
+  session.reset();
+  session.step(20);
+  session.rewind(0.1);
+  expect(session.rewound).toBe(true);
+  attempts++;
+  expect(session.rewound).toBe(false);
+  session.step(20);
+  expect(session.rewound).toBe(false);
+  // Back before the attempt began: what is flown from there is no fair attempt either.
+  session.rewind(0.3);
+  expect(session.rewound).toBe(true);
+});
+
 it('gives a body that was held then its mass back', () => {
   const { session, world } = started();
   session.dragging.grab(1, 2, 1, 0);

@@ -27,8 +27,6 @@ export class Session<S extends Settings, Sim extends Simulation> {
   stepTime = 0;
   /** Number of steps in the last frame. */
   steps = 0;
-  /** The player rewound this game, or watches a replay. */
-  rewound = false;
   /** Bodies use the colour-blind palette. */
   safeColors = false;
   #sim: Sim | undefined;
@@ -38,6 +36,8 @@ export class Session<S extends Settings, Sim extends Simulation> {
   /** Simulated time that rewinding has reached, s; it may lie between two snapshots. */
   #rewindTime: number | undefined;
   #steppedManually = false;
+  /** The attempt in which the player rewound last; undefined before. */
+  #rewoundAttempt: number | undefined;
   /** The palette that was applied last. */
   readonly #appliedColors = { safe: false };
   readonly #clock: () => number;
@@ -59,6 +59,15 @@ export class Session<S extends Settings, Sim extends Simulation> {
   get sim(): Sim {
     if (this.#sim === undefined) throw new Error('The game has not started yet.');
     return this.#sim;
+  }
+
+  /** Whether the player rewound this game, or this attempt of one that has several, or watches a replay. */
+  get rewound(): boolean {
+    return this.#rewoundAttempt !== undefined && this.#rewoundAttempt === this.#attempt;
+  }
+
+  get #attempt(): number {
+    return this.game.attempt?.(this.sim) ?? 0;
   }
 
   /** The bodies that pointers drag. @throws Error before the first `reset` and after `destroy` */
@@ -83,7 +92,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
     const sim = this.game.replay?.(this.sim);
     if (sim === undefined) return;
     this.#install(sim, this.seed);
-    this.rewound = true;
+    this.#rewoundAttempt = this.#attempt;
   }
 
   #install(sim: Sim, seed: number): void {
@@ -100,7 +109,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
     });
     this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(MAX_FRAME, sim.dt) });
     this.#steppedManually = true;
-    this.rewound = false;
+    this.#rewoundAttempt = undefined;
     this.#rewindTime = undefined;
     keepState(sim.world, this.values, this.#appliedColors);
     this.#history = new History(sim, this.#clock, this.game.rewindSeconds?.(sim));
@@ -179,7 +188,7 @@ export class Session<S extends Settings, Sim extends Simulation> {
     else this.dragging.releaseAll();
     if (this.#appliedColors.safe !== this.safeColors) this.applyColors();
     this.#steppedManually = true;
-    this.rewound ||= changed;
+    if (changed) this.#rewoundAttempt = this.#attempt;
     return changed;
   }
 
