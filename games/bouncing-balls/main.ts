@@ -30,6 +30,7 @@ startGame({
     forMouse: true,
     press: ({ log }) => log.add({ kind: 'pour', isOpen: true }),
     release: ({ log }) => log.add({ kind: 'pour', isOpen: false }),
+    letGo: (sim) => sim.letGo(),
   },
   help: helpLines(WORDS.help),
 });

@@ -75,6 +75,28 @@ it('pours the same balls after a rewind', () => {
   expect(stateHash(sim.world)).toBe(hash);
 });
 
+it('lets go of the spout and the magnet that a restored moment has on', () => {
+  const sim = make();
+  sim.log.add({ kind: 'pour', isOpen: true });
+  sim.log.add({ kind: 'magnet', x: 4, y: 2.5, z: 0 });
+  run(sim, 0.1);
+  const taken = snapshot(sim.world);
+  sim.log.add({ kind: 'pour', isOpen: false });
+  sim.log.add({ kind: 'magnet off' });
+  run(sim, 0.1);
+  const entries = [...sim.log.entries];
+  sim.letGo();
+  run(sim, 0.1);
+  expect(sim.log.entries).toEqual(entries);
+  restore(sim.world, taken);
+  sim.letGo();
+  run(sim, 0.1);
+  expect(sim.log.entries.slice(2).map(({ input }) => input)).toEqual([
+    { kind: 'pour', isOpen: false },
+    { kind: 'magnet off' },
+  ]);
+});
+
 /** Puts the first ball somewhere, at rest, and the others out of the way. */
 function single(values: Partial<typeof VALUES>, x: number, y: number) {
   const sim = make(values);

@@ -34,6 +34,8 @@ export interface BallsRun extends BouncingBalls {
   readonly tilt: Tilt;
   /** Whether the player holds time still. */
   readonly time: { isFrozen: boolean };
+  /** Closes the spout and switches off the magnet that a restored moment has on. */
+  letGo(): void;
 }
 
 export function createBalls({ values, seed, dimensions, log }: BallOptions): BallsRun {
@@ -54,7 +56,12 @@ export function createBalls({ values, seed, dimensions, log }: BallOptions): Bal
   const { world } = balls;
   const tilt = addTilt(world, gravity);
   const parts = { spout: addSpout(balls), magnet: addMagnet(world), tilt };
-  return { ...balls, log: takeInputs(balls, parts, log), tilt, time: { isFrozen: false } };
+  const inputs = takeInputs(balls, parts, log);
+  const letGo = () => {
+    if (parts.spout.isOpen) inputs.add({ kind: 'pour', isOpen: false });
+    if (parts.magnet.isOn) inputs.add({ kind: 'magnet off' });
+  };
+  return { ...balls, log: inputs, tilt, time: { isFrozen: false }, letGo };
 }
 
 /** Applies a changed setting to the running world; false if the setting requires a new world. */

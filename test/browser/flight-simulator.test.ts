@@ -44,6 +44,20 @@ it('takes off by throttle and stick, and says what to do next', async () => {
   expect((await state(page)).values.cockpit).toBe(true);
 });
 
+it('a key that is held while the flight begins anew acts in the new one', async () => {
+  const page = await open('manual');
+  await page.keyboard.down('t');
+  await fly(page, 1);
+  await page.evaluate(() => __game.reset());
+  expect((await state(page)).game.throttle).toBe(0);
+  await fly(page, 1);
+  expect((await state(page)).game.throttle).toBeGreaterThan(0.3);
+  await page.keyboard.up('t');
+  const { throttle } = (await state(page)).game;
+  await fly(page, 1);
+  expect((await state(page)).game.throttle).toBe(throttle);
+});
+
 describe('a pilot', () => {
   /** What a pilot has in hand. */
   interface Cockpit {

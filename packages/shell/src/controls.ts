@@ -55,6 +55,8 @@ export interface ControlListener {
   releaseAll(): void;
   /** Lets go of what is held in a moment that was restored, unless the player holds anything now. */
   restore(): void;
+  /** Presses in a world that has just begun what the player holds. */
+  renew(): void;
   /** Releases all buttons, removes the touch pad and stops listening. */
   destroy(): void;
 }
@@ -124,6 +126,10 @@ export function listenToControls<Sim>(
     releaseAll,
     restore() {
       if (!held.isAnyHeld && stick?.isPushed !== true) controls.letGo?.(sim());
+    },
+    renew() {
+      held.pressAgain();
+      stick?.reportAgain();
     },
     destroy() {
       stopKeys();

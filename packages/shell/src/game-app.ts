@@ -273,6 +273,8 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#resetWanted = false;
     this.#sinceReset = 0;
     make();
+    // A replay presses what was held then.
+    if (!this.session.rewound) this.#controls?.renew();
     this.#outcome?.show(undefined);
     this.#broken = false;
     this.sidebar?.plot.clear();

@@ -38,6 +38,23 @@ it('keeps the later direction when the earlier one is let go first', () => {
   expect(seen).toEqual(['+left', '+right', '-right']);
 });
 
+it('tells another simulation what is held: of directions the one that counts', () => {
+  const { seen, held } = recorded([['left', 'right']]);
+  held.pressAgain();
+  expect(seen).toEqual([]);
+  held.set('left', 'key', true);
+  held.set('right', 'key', true);
+  held.set('fire', 'key', true);
+  held.set('fire', 'pad', true);
+  held.set('horn', 'key', true);
+  held.set('horn', 'key', false);
+  held.pressAgain();
+  expect(seen.slice(5)).toEqual(['+right', '+fire']);
+  held.set('fire', 'key', false);
+  held.set('fire', 'pad', false);
+  expect(seen.slice(7)).toEqual(['-fire']);
+});
+
 it('lets go of what an input held that is gone, and of everything at once', () => {
   const { seen, held } = recorded([['left', 'right']]);
   held.set('left', 'pad 0', true);

@@ -61,6 +61,15 @@ export class HeldButtons {
     for (const name of this.#holders.keys()) this.set(name, holder, false);
   }
 
+  /** Presses what is held once more, for a simulation that has not heard of it. */
+  pressAgain(): void {
+    for (const order of new Set(this.#orders.values())) {
+      const last = order.at(-1);
+      if (last !== undefined) this.#actions.press(last);
+    }
+    for (const [name, { size }] of this.#holders) if (size > 0 && !this.#orders.has(name)) this.#actions.press(name);
+  }
+
   clear(): void {
     for (const order of new Set(this.#orders.values())) {
       const last = order.pop();

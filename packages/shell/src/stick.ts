@@ -29,6 +29,11 @@ export class Stick {
     return this.#x !== 0 || this.#y !== 0;
   }
 
+  /** Reports a deflection once more, for a simulation that has not heard of it. */
+  reportAgain(): void {
+    if (this.isPushed) this.#steer(this.#x, this.#y);
+  }
+
   /** @param x to the right @param y up; beyond a length of 1 both are scaled down @param source the stick that is pushed */
   set(x: number, y: number, source = SCREEN): void {
     const shrink = 1 / Math.max(1, Math.hypot(x, y));
