@@ -155,6 +155,7 @@ function listenToHands(context: ViewContext<Settings, ClothRun>, orbit: OrbitCam
   return listenToBodyDragging(canvas, {
     source: worldSource(world),
     camera: orbit.camera,
+    alpha: context.alpha,
     controls: orbit.controls,
     tolerance: 12,
     onGrab(id, point, pointer) {

@@ -38,3 +38,16 @@ test.each([10, 1000])('and under a perspective camera %d m away', (distance) => 
   const rim = 200 / distance;
   expect([0.9, 1.25].map((part) => pick(100 + part * (rim + 6), 100))).toEqual([1, 0]);
 });
+
+test('a pointer finds a fast body where the picture shows it between two steps', () => {
+  const camera = new OrthographicCamera(-10, 10, 10, -10, 0.1, 2000);
+  camera.position.z = 10;
+  const source = oneBall();
+  source.position.x[1] = 5;
+  const drawn = { alpha: 0.1 };
+  const { pick } = listenToBodyDragging(element, { source, camera, alpha: () => drawn.alpha });
+  // 10 pixels a metre: the ball is seen at 0.5 m, and is at 5 m now.
+  expect([105, 150].map((x) => pick(x, 100))).toEqual([1, 0]);
+  drawn.alpha = 1;
+  expect([105, 150].map((x) => pick(x, 100))).toEqual([0, 1]);
+});

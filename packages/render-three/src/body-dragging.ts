@@ -8,6 +8,11 @@ export interface BodyDraggingOptions {
   source: BodySource;
   /** The camera of the picture, which may move. */
   camera: Camera;
+  /**
+   * The `alpha` that the picture was drawn with, so that a pointer finds a fast body where it is seen: `() => runner.alpha`.
+   * Default 1, the present step.
+   */
+  alpha?(): number;
   /** Whether a body may be grabbed; default all. */
   mayGrab?(id: number): boolean;
   /** A pointer was pressed on body `id`, at `point` of its surface. */
@@ -43,6 +48,7 @@ interface Grip {
 const OPTION_NAMES: OptionNames<BodyDraggingOptions> = {
   source: true,
   camera: true,
+  alpha: true,
   mayGrab: true,
   onGrab: true,
   onDrag: true,
@@ -135,12 +141,13 @@ class Dragging {
     const { source, camera, tolerance = 6 } = this.#options;
     this.#aim(clientX, clientY);
     const { ray } = this.#raycaster;
+    const alpha = this.#options.alpha?.() ?? 1;
     // A body exactly under the pointer has priority over one that is merely close.
-    if (pickBody(source, ray, { result: this.#pick }) !== 0) return this.#pick.id;
+    if (pickBody(source, ray, { alpha, result: this.#pick }) !== 0) return this.#pick.id;
     // Of a perspective camera this is the height of a pixel a metre away, of a parallel one anywhere.
     const pixel = 2 / (camera.projectionMatrix.elements[5] * this.#element.clientHeight);
     const missed = 'isOrthographicCamera' in camera ? { margin: tolerance * pixel } : { slack: tolerance * pixel };
-    return pickBody(source, ray, { ...missed, result: this.#pick });
+    return pickBody(source, ray, { alpha, ...missed, result: this.#pick });
   }
 
   /** Releases every body at rest, for example when the element is removed. */

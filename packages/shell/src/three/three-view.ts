@@ -254,6 +254,7 @@ function listenTo<S extends Settings, Sim extends Simulation>(
   return listenToBodyDragging(canvas, {
     source: worldSource(context.sim().world),
     camera: orbit.camera,
+    alpha: context.alpha,
     controls: orbit.controls,
     onGrab: (id, point, pointer) => context.dragging().grab(pointer, id, point.x, point.y, point.z),
     onDrag: (_, point, pointer) => context.dragging().move(pointer, point.x, point.y, point.z),
