@@ -89,6 +89,16 @@ describe('the best flights', () => {
     expect(new BestFlights(store).find('b')?.steps).toBe(900);
   });
 
+  it('keep those that another tab has flown since', () => {
+    const store = memoryStore();
+    const [one, other] = [new BestFlights(store), new BestFlights(store)];
+    one.offer(flight('a', 400));
+    other.offer(flight('b', 900));
+    other.offer(flight('a', 500));
+    expect(new BestFlights(store).find('a')?.steps).toBe(400);
+    expect(new BestFlights(store).find('b')?.steps).toBe(900);
+  });
+
   it('are bounded: the oldest is forgotten', () => {
     const flights = new BestFlights(memoryStore());
     for (let i = 0; i <= MAX_FLIGHTS; i++) flights.offer(flight(`layout ${i}`, 100));

@@ -1,6 +1,6 @@
 /** The fastest flight past each layout of holes, in the browser's storage; without storage they last as long as the page. */
 import type { Hole } from '@principia/scenes';
-import { browserStore, type LocalStore, readLocal, writeLocal } from '@principia/shell';
+import { KeptValue, type LocalStore } from '@principia/shell';
 import { MAX_SAMPLES, SAMPLE_STEPS } from './flight-record.ts';
 
 export interface BestFlight {
@@ -17,26 +17,29 @@ const STORE_KEY = 'principia black hole flights';
 export const MAX_FLIGHTS = 40;
 
 export class BestFlights {
-  readonly #store: LocalStore | undefined;
-  #list: readonly BestFlight[];
+  readonly #kept: KeptValue<readonly BestFlight[]>;
 
-  constructor(store: LocalStore | undefined = browserStore()) {
-    this.#store = store;
-    this.#list = read(store);
+  constructor(store?: LocalStore) {
+    this.#kept = new KeptValue(STORE_KEY, flightsIn, store);
   }
 
   /** The fastest flight past a layout; undefined before the first. */
   find(layout: string): BestFlight | undefined {
-    return this.#list.find((flight) => flight.layout === layout);
+    return inLayout(this.#kept.value, layout);
   }
 
   /** Keeps a flight if none past the same layout was as fast. */
   offer(flight: BestFlight): void {
-    const best = this.find(flight.layout);
-    if (best !== undefined && best.steps <= flight.steps) return;
-    this.#list = [flight, ...this.#list.filter((other) => other !== best)].slice(0, MAX_FLIGHTS);
-    writeLocal(this.#store, STORE_KEY, this.#list);
+    this.#kept.change((list) => {
+      const best = inLayout(list, flight.layout);
+      if (best !== undefined && best.steps <= flight.steps) return list;
+      return [flight, ...list.filter((other) => other !== best)].slice(0, MAX_FLIGHTS);
+    });
   }
+}
+
+function inLayout(list: readonly BestFlight[], layout: string): BestFlight | undefined {
+  return list.find((flight) => flight.layout === layout);
 }
 
 /**
@@ -56,8 +59,7 @@ export function layoutKey(holes: readonly Hole[], isSteep: boolean, hasFuel: boo
 }
 
 /** Invalid data under the same name is ignored. */
-function read(store: LocalStore | undefined): readonly BestFlight[] {
-  const found = readLocal(store, STORE_KEY);
+function flightsIn(found: unknown): readonly BestFlight[] {
   return Array.isArray(found) ? found.filter(isFlight).slice(0, MAX_FLIGHTS) : [];
 }
 

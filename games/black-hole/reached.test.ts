@@ -34,6 +34,15 @@ describe('the levels at which a game may begin', () => {
     expect(new ReachedLevel('?seed=3', store).highest).toBe(7);
   });
 
+  it('are not taken back by another tab', () => {
+    const store = memoryStore();
+    const [one, other] = [new ReachedLevel('', store), new ReachedLevel('', store)];
+    one.note(wonGame({ level: 6 }));
+    other.note(wonGame());
+    expect(other.highest).toBe(7);
+    expect(new ReachedLevel('', store).highest).toBe(7);
+  });
+
   it('are not those that the autopilot or a replay reached', () => {
     const reached = new ReachedLevel('', memoryStore());
     const game = wonGame();

@@ -23,6 +23,14 @@ it('keeps the best five, best first', () => {
   expect(again.best).toBe(9);
 });
 
+it('keeps what another tab has added since', () => {
+  const storage = memory();
+  const [one, other] = [new HighScores('stones', storage), new HighScores('stones', storage)];
+  one.add(100, '2001-12-31');
+  expect(other.add(5, '2001-12-31')).toBe(1);
+  expect(new HighScores('stones', storage).list.map(({ score }) => score)).toEqual([100, 5]);
+});
+
 it.each(['', 'nonsense', '{}', '[1, null, {"score":"x","day":"y"}]'])('takes %j for an empty list', (text) => {
   expect(new HighScores('stones', memory(text)).list).toEqual([]);
 });

@@ -23,6 +23,7 @@ export { helpLines } from './help-lines.ts';
 export { type HighScore, HighScores } from './high-scores.ts';
 export { showHint } from './hint.ts';
 export { dragByJoints } from './joint-dragging.ts';
+export { KeptValue } from './kept-value.ts';
 export { listenToKeys } from './keyboard.ts';
 export { chooseWords, decimal, grouped, inLanguage, type Language, language, withLanguage } from './language.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';

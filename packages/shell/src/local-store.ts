@@ -21,12 +21,17 @@ export function readLocal(store: LocalStore | undefined, name: string): unknown 
   }
 }
 
-/** Stores a value; where the storage is full or blocked, and in a preview, the value lasts as long as the page. */
-export function writeLocal(store: LocalStore | undefined, name: string, value: unknown): void {
-  if (isPreview) return;
+/**
+ * Stores a value; where the storage is full or blocked, and in a preview, the value lasts as long as the page.
+ * @returns whether it was stored
+ */
+export function writeLocal(store: LocalStore | undefined, name: string, value: unknown): boolean {
+  if (isPreview || store === undefined) return false;
   try {
-    store?.setItem(name, JSON.stringify(value));
+    store.setItem(name, JSON.stringify(value));
+    return true;
   } catch {
     // The player cannot change this, and the running page keeps the value.
+    return false;
   }
 }
