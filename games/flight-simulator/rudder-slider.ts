@@ -19,6 +19,8 @@ const STYLES = `
 @media (pointer: coarse) and (max-height: 500px) { .fs-rudder { left: max(52% - 86px, 268px); width: clamp(112px, 100% - 452px, 172px); bottom: 8px } }
 `;
 
+/** Part of the travel that an arrow key moves the pedals by. */
+const KEY_STEP = 0.1;
 /** Within this part of the travel the pedals are even. */
 const DEAD = 0.08;
 /** Width of the bar beyond the travel of the knob, CSS pixels. */
@@ -47,6 +49,14 @@ export function createRudderSlider(flight: () => Flight): RudderSlider {
   label.textContent = WORDS.rudder;
   element.append(style, knob, label);
   listen(element, (position) => flight().pedals(position));
+  element.addEventListener('keydown', (event) => {
+    const position = pedalsByKey(event.key, flight().pedalPosition);
+    if (position === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    // The arrow keys belong to the stick everywhere else.
+    event.preventDefault();
+    event.stopPropagation();
+    flight().pedals(position);
+  });
   let shown = Number.NaN;
   return {
     element,
@@ -58,6 +68,15 @@ export function createRudderSlider(flight: () => Flight): RudderSlider {
       element.setAttribute('aria-valuenow', String(percent));
     },
   };
+}
+
+/** Where a key of a slider moves the pedals, that are at a position from −1 to 1; undefined for other keys. */
+export function pedalsByKey(key: string, position: number): number | undefined {
+  const steps = Math.round(position / KEY_STEP);
+  if (key === 'ArrowLeft') return Math.max(-1, (steps - 1) * KEY_STEP);
+  if (key === 'ArrowRight') return Math.min(1, (steps + 1) * KEY_STEP);
+  if (key === 'Home') return -1;
+  return key === 'End' ? 1 : undefined;
 }
 
 function listen(element: HTMLElement, move: (position: number) => void): void {
@@ -79,5 +98,7 @@ function listen(element: HTMLElement, move: (position: number) => void): void {
     });
   }
   element.addEventListener('dblclick', () => move(0));
+  // Who moves the pedals by a mouse goes on flying by the arrow keys, so only Tab gives the focus.
+  element.addEventListener('mousedown', (event) => event.preventDefault());
   element.addEventListener('contextmenu', (event) => event.preventDefault());
 }

@@ -149,6 +149,11 @@ export class Flight {
     this.#pedals = position;
   }
 
+  /** Where the pedals are, without what keys add. */
+  get pedalPosition(): number {
+    return this.#pedals;
+  }
+
   /** Moves the throttle by a fraction. A lever pulled below idle brakes until it is pushed again. */
   moveLever(change: number): void {
     const { pilot } = this;

@@ -162,6 +162,13 @@ describe('a pilot', () => {
     else await fingers('touchEnd');
     await fly(page, 1);
     await expect.poll(() => slider.getAttribute('aria-valuenow'), SLOW).toBe('0');
+    // The keys of a slider are those of the stick until Tab has led to it.
+    expect(await slider.evaluate((element) => element === document.activeElement)).toBe(false);
+    await slider.focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('ArrowLeft');
+    await fly(page, 1);
+    await expect.poll(() => slider.getAttribute('aria-valuenow'), SLOW).toBe('-20');
   });
 
   it('of the mouse takes off by the wheel and a drag', async () => {
