@@ -1,5 +1,6 @@
+import { dayOf } from '@principia/shell';
 import { expect, it } from 'vitest';
-import { dayOf, dayOfSeed, seedOf } from './daily.ts';
+import { dayOfSeed, seedOf } from './daily.ts';
 import { play } from './game-lab.ts';
 import { outcomeOf } from './report.ts';
 

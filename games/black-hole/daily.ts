@@ -1,10 +1,5 @@
 /** The challenge of the day: everybody who plays on the same date has the same holes. */
-
-/** The date in the player's time zone, such as 2026-11-23. */
-export function dayOf(now: Date): string {
-  const two = (value: number) => String(value).padStart(2, '0');
-  return `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
-}
+import { dayOf } from '@principia/shell';
 
 /** The date with hyphens at which no line breaks. */
 export const unbroken = (day: string): string => day.replaceAll('-', '\u2011');

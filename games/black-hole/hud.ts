@@ -1,6 +1,6 @@
 /** The text and bars drawn over the picture. */
-import { withLanguage } from '@principia/shell';
-import { dayOf, dayOfSeed, seedOf, unbroken } from './daily.ts';
+import { dayOf, withLanguage } from '@principia/shell';
+import { dayOfSeed, seedOf, unbroken } from './daily.ts';
 import type { Comparison } from './ghost.ts';
 import { css, type Palette } from './palette.ts';
 import { type GameEvent, LIVES, TANK } from './rules.ts';

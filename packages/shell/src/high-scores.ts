@@ -5,7 +5,7 @@ import type { LocalStore } from './local-store.ts';
 export interface HighScore {
   /** Above 0. */
   readonly score: number;
-  /** Date in the form 2001-12-31. */
+  /** Date in the form 2001-12-31, in the player's time zone. */
   readonly day: string;
 }
 

@@ -26,6 +26,7 @@ export { dragByJoints } from './joint-dragging.ts';
 export { KeptValue } from './kept-value.ts';
 export { listenToKeys } from './keyboard.ts';
 export { chooseWords, decimal, grouped, inLanguage, type Language, language, withLanguage } from './language.ts';
+export { dayOf } from './local-day.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export { speakNumbers } from './number-field.ts';
 export type { Outcome } from './outcome-card.ts';

@@ -1,5 +1,6 @@
 import { element } from './element.ts';
 import { HighScores } from './high-scores.ts';
+import { dayOf } from './local-day.ts';
 import { isPreview, restartAtEnd } from './preview.ts';
 import { words } from './words.ts';
 
@@ -62,7 +63,7 @@ export function createOutcomeCard(
   });
   let isOver = false;
   const showOutcome = (outcome: Outcome, isRanked: boolean) => {
-    const rank = isRanked ? scores.add(outcome.score, new Date().toISOString().slice(0, 10)) : -1;
+    const rank = isRanked ? scores.add(outcome.score, dayOf(new Date())) : -1;
     title.textContent = outcome.title;
     const more = isRanked ? (rank === 0 ? [words().newHighScore] : []) : [words().notRanked];
     const texts = [...outcome.lines, ...more];
