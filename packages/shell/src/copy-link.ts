@@ -1,3 +1,4 @@
+import { withLanguage } from './language.ts';
 import { words } from './words.ts';
 
 /**
@@ -9,7 +10,8 @@ export async function copyLink(link: string, what: string): Promise<string> {
     await navigator.clipboard.writeText(link);
     return words().linkCopied(what);
   } catch {
-    history.replaceState(null, '', link);
+    // Links leave out the language, for their readers may have another; this page keeps its own.
+    history.replaceState(null, '', withLanguage(link));
     return words().linkInAddress(what);
   }
 }

@@ -34,8 +34,9 @@ export function chooseWords<Words>(texts: Readonly<Record<Language, Words>>): Wo
 /** An address with the language that this page was asked for by its own, such as `../index.html?lang=de`. */
 export function withLanguage(address: string): string {
   const asked = new URLSearchParams(globalThis.location?.search).get('lang');
-  if (asked === null) return address;
-  return `${address}${address.includes('?') ? '&' : '?'}lang=${encodeURIComponent(asked)}`;
+  const [page, ...hash] = address.split('#');
+  if (asked === null || /[?&]lang=/.test(page)) return address;
+  return [`${page}${page.includes('?') ? '&' : '?'}lang=${encodeURIComponent(asked)}`, ...hash].join('#');
 }
 
 /** A number with a fixed number of decimals, and no sign if all are zero. Short enough to be made in every frame. */
