@@ -1,5 +1,6 @@
 /** The player's choices and the edited show, which persist across worlds and views. */
 import { SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
+import { copyLink } from '@principia/shell';
 import { DEMO_SHOW } from './demo-show.ts';
 import { readShow, writeShow } from './show.ts';
 import { ShowEditor } from './show-editor.ts';
@@ -131,11 +132,6 @@ export class PlayerControls {
     const link = new URL(location.href);
     link.hash = `show=${writeShow(this.editor.cues)}`;
     history.replaceState(null, '', link);
-    try {
-      await navigator.clipboard.writeText(link.href);
-      this.showMessage(WORDS.linkCopied);
-    } catch {
-      this.showMessage(WORDS.linkInAddress);
-    }
+    this.showMessage(await copyLink(link.href, WORDS.yourShow));
   }
 }

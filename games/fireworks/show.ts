@@ -4,6 +4,7 @@
  * kind, colour, power. Versions 1 and 2, of five bytes, in which shells reached less far, are read as well.
  */
 import { FIREWORKS_REACH, SHELL_NAMES, STAR_COLORS } from '@principia/scenes';
+import { bytesOfText, textOfBytes } from '@principia/shell';
 import type { Cue } from './sim.ts';
 import { WORDS } from './words.ts';
 
@@ -94,8 +95,7 @@ export function writeShow(cues: readonly Cue[]): string {
     }
   }
   bytes[0] = checkByte(bytes, 1);
-  const text = btoa(String.fromCharCode(...bytes));
-  return `${VERSION}.${text.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
+  return `${VERSION}.${textOfBytes(bytes)}`;
 }
 
 /** Decodes a show. @throws Error with a sentence that says what is wrong with the text and what to do */
@@ -134,8 +134,7 @@ function unpack(bytes: Uint8Array, at: number, format: Format): Cue {
 function bytesOf(body: string): Uint8Array {
   if (!/^[\w-]+$/.test(body)) throw broken(WORDS.broken.characters);
   try {
-    const text = atob(body.replaceAll('-', '+').replaceAll('_', '/'));
-    return Uint8Array.from(text, (character) => character.charCodeAt(0));
+    return bytesOfText(body);
   } catch {
     throw broken(WORDS.broken.cut);
   }

@@ -81,8 +81,7 @@ const en = {
   next: (count: number, seconds: number) =>
     `${count} ${count === 1 ? 'shell' : 'shells'}; the next is added at ${decimal(seconds, 1)} s`,
   tooMany: (most: number) => `A show has at most ${most} shells. Remove one first.`,
-  linkCopied: 'The link to your show was copied. It is also in the address bar.',
-  linkInAddress: 'The link to your show is in the address bar. Copy it from there.',
+  yourShow: 'your show',
   write: '✎ Write',
   writeHint: 'Write a name or an emoji into the sky',
   nameOrEmoji: 'Name or emoji',
@@ -202,8 +201,7 @@ const de: Words = {
   next: (count, seconds) =>
     `${count} ${count === 1 ? 'Rakete' : 'Raketen'}; die nächste kommt bei ${decimal(seconds, 1)} s`,
   tooMany: (most) => `Eine Show hat höchstens ${most} Raketen. Lösche erst eine.`,
-  linkCopied: 'Der Link zu deiner Show wurde kopiert. Er steht auch in der Adresszeile.',
-  linkInAddress: 'Der Link zu deiner Show steht in der Adresszeile. Kopiere ihn von dort.',
+  yourShow: 'deiner Show',
   write: '✎ Text',
   writeHint: 'Einen Namen oder ein Emoji in den Himmel schreiben',
   nameOrEmoji: 'Name oder Emoji',

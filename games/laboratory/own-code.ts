@@ -1,4 +1,5 @@
 /** The reader's own version of an example: kept for this tab, and carried by links. */
+import { packText, unpackText } from '@principia/shell';
 import { WORDS } from './words.ts';
 
 const keyOf = (id: string) => `laboratory-code:${id}`;
@@ -34,7 +35,7 @@ export function forgetOwnCode(id: string): void {
 /** The address of the present page, with a version of its example. */
 export async function linkWith(source: string): Promise<string> {
   const address = new URL(location.href);
-  address.hash = `code=${await packed(source)}`;
+  address.hash = `code=${await packText(source)}`;
   return address.href;
 }
 
@@ -46,23 +47,8 @@ export async function linkedCode(hash: string): Promise<string | undefined> {
   const text = new URLSearchParams(hash.replace(/^#/, '')).get('code');
   if (text === null) return undefined;
   try {
-    return await unpacked(text);
+    return await unpackText(text);
   } catch {
     return '';
   }
-}
-
-/** Compressed text in the letters of addresses. */
-async function packed(text: string): Promise<string> {
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
-  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-}
-
-async function unpacked(text: string): Promise<string> {
-  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
-  const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-  return new Response(stream).text();
 }

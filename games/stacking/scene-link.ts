@@ -1,6 +1,6 @@
 /** A build as text for a link: its numbers, compressed, in URL-safe base64. */
 import { destroyWorld } from '@principia/physics';
-import { initialValues } from '@principia/shell';
+import { initialValues, packText, unpackText } from '@principia/shell';
 import type { SavedScene } from './saved-scene.ts';
 import { settings } from './settings.ts';
 import { createSim } from './sim.ts';
@@ -14,9 +14,7 @@ const VERSION = '1.';
 export async function writeScene(scene: SavedScene): Promise<string> {
   const { length } = scene.bodies;
   if (length > MAX_BODIES) throw new Error(WORDS.tooMany(MAX_BODIES, length));
-  const packed = await through(new TextEncoder().encode(JSON.stringify(scene)), new CompressionStream('deflate-raw'));
-  const text = btoa(String.fromCharCode(...packed));
-  return VERSION + text.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  return VERSION + (await packText(JSON.stringify(scene)));
 }
 
 /** @throws Error with a sentence that says what is wrong with the text */
@@ -34,10 +32,7 @@ export async function readScene(text: string): Promise<SavedScene> {
 
 async function unpacked(text: string): Promise<SavedScene> {
   try {
-    const bytes = atob(text.slice(VERSION.length).replaceAll('-', '+').replaceAll('_', '/'));
-    const packed = Uint8Array.from(bytes, (character) => character.charCodeAt(0));
-    const scene = JSON.parse(new TextDecoder().decode(await through(packed, new DecompressionStream('deflate-raw'))));
-    return checked(scene);
+    return checked(JSON.parse(await unpackText(text.slice(VERSION.length))));
   } catch {
     throw broken(WORDS.broken.incomplete);
   }
@@ -52,13 +47,6 @@ function checked({ shapes, bodies: list, joints }: SavedScene): SavedScene {
   if (!joints.every(([a, b]) => isPlace(a, -1, list.length) && isPlace(b, 0, list.length)))
     throw new Error('no such body');
   return { shapes, bodies: list, joints };
-}
-
-async function through(
-  bytes: Uint8Array<ArrayBuffer>,
-  stream: CompressionStream | DecompressionStream,
-): Promise<Uint8Array> {
-  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 }
 
 function broken(why: string): Error {

@@ -1,5 +1,6 @@
 /** The parts that all games share: loop, settings panel, plot, keyboard, help and error messages. */
 export { type Address, FIRST_PLOT, readAddress } from './address.ts';
+export { bytesOfText, packText, textOfBytes, unpackText } from './address-text.ts';
 export { type ClipButton, type ClipControl, createClipButton } from './clip-button.ts';
 export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
