@@ -9,7 +9,7 @@ import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { collideShapes } from '../../collision/narrow-phase/2d/collide-shapes';
-import { TARGET, targetOf } from '../../collision/narrow-phase/2d/collide-ahead';
+import { LEAST_TARGET, TARGET, targetOf } from '../../collision/narrow-phase/2d/collide-ahead';
 import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/far-points';
 import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
 import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
@@ -30,6 +30,8 @@ export const SAFE_PATH: real = SPECULATIVE_DISTANCE + TARGET;
 const GRAZE: real = 2;
 // A surface is flat as far as its normal turns by less than this angle, rad.
 const FLAT: real = 0.001;
+// What moves into a surface at an angle with a lower sine goes along it, but for rounding.
+const LEVEL: real = 0.00001;
 
 @unmanaged
 class Impact {
@@ -59,10 +61,22 @@ export function findImpact(t: RigidTable, row: i32, reach: real): real {
   impact.touches = false;
   rolls = mayRoll(t, row);
   onAxle = isWheel(t, row);
-  const first = firstOfShapes(t, row, reach);
-  // Of a body that touches something fewer impacts count; some may have been found before its contact was.
-  return impact.touches && first < 1 ? firstOfShapes(t, row, reach) : first;
+  let first = firstOfShapes(t, row, reach);
+  // Of a body that touches something fewer impacts count; some may have been found before its contact was. One that slides goes another
+  // way than was looked at.
+  let mustRepeat = hasSlid || (impact.touches && first < 1);
+  for (let turn = 0; turn < MAX_TURNS && mustRepeat; turn++) {
+    first = firstOfShapes(t, row, reach);
+    mustRepeat = hasSlid;
+  }
+  return mustRepeat ? 0 : first;
 }
+
+// What slides this often in one step is wedged.
+const MAX_TURNS: i32 = 4;
+
+// Whether `firstOfShapes` changed the way of the body.
+let hasSlid: bool = false;
 
 // Whether the body is deflected by what it meets while it touches something else (roll-on.ts).
 let rolls: bool = false;
@@ -89,6 +103,7 @@ export function isOnRail(t: RigidTable): bool {
 
 function firstOfShapes(t: RigidTable, row: i32, reach: real): real {
   let first: real = 1;
+  hasSlid = false;
   if ((flagsOf(t, row) & COLLIDES) != 0) first = firstImpact(t, row, row, reach, first);
   for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
     first = firstImpact(t, row, part, reach, first);
@@ -117,6 +132,7 @@ function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i3
     const fraction = impactWith(t, other, shape, mayPass);
     if (fraction == SLIDES) {
       slide(t, body, sweep);
+      hasSlid = true;
       startSweepB(t, sweep, body, row);
     } else if (fraction < first) {
       first = fraction;
@@ -177,9 +193,18 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
     makeCircle(core, part);
     timeOfImpact(sweep, wall, core);
   }
-  if (sweep.isHit == 0 || sweep.fraction == 0) return 1;
-  if (starts && nx == 0 && ny == 0) return sweep.fraction;
-  return hitFrom(nx, ny, starts ? SLIDES : fraction);
+  if (sweep.isHit == 0 || (sweep.fraction == 0 && !centerPasses(wall))) return 1;
+  if (!starts) return hitFrom(nx, ny, fraction);
+  // The normal of what overlaps deeply is unknown, or that of another side: the core's is left.
+  return moveAlong(nx, ny) < 0 ? hitFrom(nx, ny, SLIDES) : SLIDES;
+}
+
+// Where the core is in something already, the centre of the body must stay on its side. Sets the fraction at which it comes there.
+function centerPasses(wall: Shape): bool {
+  makeCircle(core, 0);
+  sweep.target = LEAST_TARGET;
+  timeOfImpact(sweep, wall, core);
+  return sweep.isHit != 0 && (sweep.fraction > 0 || goesIn(LEVEL));
 }
 
 // What rolls along the inside of a curve presses into the next segment a little and is at the end of that first. Where this segment
@@ -264,6 +289,14 @@ const STEEP: real = 0.7071067811865476;
   const dx = sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax);
   const dy = sweep.endBy - sweep.by - (sweep.endAy - sweep.ay);
   return dx * sweep.nx + dy * sweep.ny < -sine * sqrt<real>(dx * dx + dy * dy);
+}
+
+// How far the second shape moves against the first along a normal.
+// @ts-ignore: decorator
+@inline function moveAlong(nx: real, ny: real): real {
+  return (
+    (sweep.endBx - sweep.bx - (sweep.endAx - sweep.ax)) * nx + (sweep.endBy - sweep.by - (sweep.endAy - sweep.ay)) * ny
+  );
 }
 
 // Takes the part of the movement that goes into a surface with this normal.

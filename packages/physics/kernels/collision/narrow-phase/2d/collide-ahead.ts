@@ -16,7 +16,7 @@ export const TARGET: real = 0.005;
 // At most this part of the least extent, so that what is small is not stopped far from the impact, where the normal is another. In f32
 // less than the least distance would be lost in rounding.
 const TARGET_PART: real = 0.025;
-const LEAST_TARGET: real = 0.0001;
+export const LEAST_TARGET: real = 0.0001;
 
 // The distance at which a time of impact counts for a body with this least extent, m.
 // @ts-ignore: decorator
