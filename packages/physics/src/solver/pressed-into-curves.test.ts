@@ -23,7 +23,11 @@ test.each(SHAPES)('%s at 20 to 100 times its weight stays in a ring, and goes ro
       const world = rigidWorld();
       spawnChain(world, ring, { friction: 0 }, { closed: true });
       const position = { x: 0.02, y: 0.14 - RADIUS };
-      const body = spawn(world, { position, velocity: { x: speed }, collider: { shape, density: 1, friction: 0, bullet } });
+      const body = spawn(world, {
+        position,
+        velocity: { x: speed },
+        collider: { shape, density: 1, friction: 0, bullet },
+      });
       const { x, y } = world.components.Position;
       let turned = 0;
       let angle = Math.atan2(y[body], x[body]);
