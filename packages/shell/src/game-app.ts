@@ -141,6 +141,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     if (this.#place.parent === undefined) this.failures.listen(signal);
     const stopKeys = listenToKeys(this.#commands.pressed, this.#commands.released, this.#keyTarget);
     signal.addEventListener('abort', stopKeys);
+    this.views.rate.listen(this.layout.stage, signal);
     if (this.preferences.reducedMotion && !this.address.manual) {
       this.session.paused = true;
       this.#banner.show(words().motionPaused(resumeHint()), 'status');
@@ -208,7 +209,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     // A player who rewound may play on, but the score is not ranked.
     this.#outcome?.show(this.#game.outcome?.(session.sim), !session.rewound);
     this.sidebar?.record(session.sim, session.isPast);
-    this.#draw(seconds);
+    const stands = (session.paused || this.address.manual) && !this.rewinding && session.sim.world.tick === this.#tick;
+    const since = this.views.rate.next(seconds, stands);
+    if (since >= 0) this.#draw(since);
     if (seconds > 0) this.#timing.add(FRAME, seconds * 1000);
     if (session.sim.world.tick !== this.#tick) this.#timing.add(STEP, session.stepTime);
     this.#tick = session.sim.world.tick;
@@ -233,7 +236,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#broken = false;
     this.#sinceStats = STATS_INTERVAL;
     this.sidebar?.panel.refresh();
-    this.views.view?.refresh('setting');
+    this.views.refresh('setting');
   }
 
   /** Goes to a recorded moment and stays there. The state of an error is no moment to come back to. */
@@ -278,12 +281,12 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.#outcome?.show(undefined);
     this.#broken = false;
     this.sidebar?.plot.clear();
-    this.views.view?.refresh('world');
+    this.views.refresh('world');
   }
 
   #set(name: string, value: unknown): void {
     if (this.session.set(name, value)) this.#resetWanted = true;
-    else this.views.view?.refresh('setting');
+    else this.views.refresh('setting');
   }
 
   toggle(name: string): void {
@@ -322,7 +325,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
 
   #showAppearance(): void {
     this.#applyAppearance();
-    this.views.view?.refresh('world');
+    this.views.refresh('world');
     this.refresh();
   }
 

@@ -1,3 +1,4 @@
+import { DrawingRate } from './drawing-rate.ts';
 import type { Renderer, Simulation, View, ViewContext } from './game.ts';
 import type { Settings } from './settings.ts';
 import { words } from './words.ts';
@@ -22,6 +23,8 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
   isLost = false;
   /** There is no view, because there was no world for it. */
   lacksWorld = false;
+  /** Which frames the view draws. */
+  readonly rate = new DrawingRate();
   /** The renderer of the view. */
   renderer: string;
   /** The renderer that the player chose last; its code may not have been loaded. */
@@ -94,6 +97,12 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
     return true;
   }
 
+  /** Tells the view that the world was replaced, or a setting changed. */
+  refresh(what: 'world' | 'setting'): void {
+    this.rate.wake();
+    this.view?.refresh(what);
+  }
+
   #close(): void {
     const { view } = this;
     this.view = undefined;
@@ -104,6 +113,7 @@ export class ViewHost<S extends Settings, Sim extends Simulation> {
 
   #show(view: View): void {
     this.view = view;
+    this.rate.wake();
     const { canvas } = view;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
