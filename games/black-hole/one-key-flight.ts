@@ -12,9 +12,9 @@ const ASIDE = [0, -0.5, 0.5];
 
 /**
  * Who waits below moving holes climbs past another layout. Waits that are tried, s: a hole moves by 14 m at most between two, less
- * than its disc is wide, and the slowest goes round nearly twice in the longest. Longer steps are enough to find the gaps.
+ * than its disc is wide, and the slowest goes round nearly once in the longest. Longer steps are enough to find the gaps.
  */
-const WAITS = { between: 0.5, longest: 48, dt: 1 / 60 } as const;
+const WAITS = { between: 0.5, longest: 24, dt: 1 / 60 } as const;
 
 /** @param isSteep uses the Paczyński–Wiita potential @returns whether full thrust in one direction may reach the goal */
 export function opensToOneKey(holes: readonly Hole[], isSteep: boolean): boolean {
