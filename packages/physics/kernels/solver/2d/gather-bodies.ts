@@ -69,7 +69,7 @@ export function gatherBodies(table: usize): void {
     if ((<u32>word(t.members, row) & t.attachmentBit) == 0) classify(t, row, kindOf(columns(), t, row));
   }
   if (t.partCount > 0) classifyParts(t);
-  listAwake(t);
+  list(t, true);
 }
 
 // Parts come after all bodies, because they are of the kind of theirs.
@@ -104,8 +104,14 @@ function leaveBody(t: RigidTable, row: i32): void {
   forgetBox(t, row);
 }
 
-// Lists the bodies that move and are awake, with their poses and velocities.
+// Lists the bodies that move and are awake anew, after some woke in this step.
 export function listAwake(t: RigidTable): void {
+  list(t, false);
+}
+
+// Lists the bodies that move and are awake, with their poses and velocities. What users have moved or changed since the last step
+// is told by records that are overwritten here, and so only the first time in a step.
+function list(t: RigidTable, isFirst: bool): void {
   const c = columns();
   // Row 0 is the world, to which joints may hold a body.
   rest(t, 0);
@@ -116,21 +122,29 @@ export function listAwake(t: RigidTable): void {
     const flags = flagsOf(t, row);
     if ((flags & ASLEEP) != 0) t.asleepCount++;
     if ((flags & (MOVES | STATIC)) == 0 || (flags & (ASLEEP | PART)) != 0) continue;
-    if ((flags & WALL) != 0) {
-      placeWall(t, row);
+    if ((flags & STATIC) != 0) {
+      if (isFirst) noteStatic(c, t, row);
       continue;
     }
-    if ((flags & (STATIC | COMPOUND)) == STATIC && isUnchanged(c, t, row)) continue;
-    if ((flags & KINEMATIC) != 0) watchKinematic(c, t, row);
+    if (isFirst && (flags & KINEMATIC) != 0) watchKinematic(c, t, row);
     readPose(c, t, row);
     readExtents(t, row);
-    if ((flags & MOVES) == 0) continue;
     readVelocity(c, t, row);
     putWord(t.awake, awake++, row);
   }
   t.awakeCount = awake;
   listLocked(t);
   if (t.partCount > 0) placeParts(t);
+}
+
+// Of a compound the extents are found anew by `placeParts`.
+// @ts-ignore: decorator
+@inline function noteStatic(c: Columns, t: RigidTable, row: i32): void {
+  const flags = flagsOf(t, row);
+  if ((flags & WALL) != 0) return placeWall(t, row);
+  if ((flags & COMPOUND) == 0 && isUnchanged(c, t, row)) return;
+  readPose(c, t, row);
+  readExtents(t, row);
 }
 
 // Whether pose and collider of a static body are those of the last step. A body without a box is new, or collides with
