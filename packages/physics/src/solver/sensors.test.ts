@@ -1,7 +1,9 @@
 // Sensors: what overlaps them begins and ends once, moves as if they were not there, and fast bodies are not missed.
 import {
   box,
+  createJoint,
   despawn,
+  distance,
   isAsleep,
   type PhysicsWorld,
   restore,
@@ -54,6 +56,23 @@ describe.each(['f32', 'f64'] as const)('a sensor in %s', (precision) => {
       [1, true, gate, ball],
       [1, false, gate, ball],
     ]);
+  });
+
+  it.each([
+    ['kinematic', { velocity: {}, kinematic: {} }, 0],
+    ['asleep', { velocity: {}, mass: 1 }, 100],
+    ['awake', { velocity: {}, mass: 1, neverSleep: {} }, 0],
+  ] as const)('does not miss a fast ball where it may move, but rests: %s', (how, body, steps) => {
+    const world = rigidWorld({ precision, forces: [] });
+    const gate = spawn(world, { ...body, position: {}, collider: { shape: box(0.1, 2), sensor: true } });
+    record(world, steps);
+    expect(isAsleep(world, gate)).toBe(how === 'asleep');
+    const ball = spawn(world, { position: { x: -4.2 }, velocity: { x: 100 }, collider: { radius: 0.1, density: 1 } });
+    expect(record(world, 6)).toEqual([
+      [2, true, gate, ball],
+      [2, false, gate, ball],
+    ]);
+    expect(isAsleep(world, gate)).toBe(how === 'asleep');
   });
 
   it('senses ground and platforms as a part of a body, and not its own body', () => {
@@ -153,6 +172,18 @@ test('a body that becomes a sensor is left by what lies on it, and the other way
   record(world, 60);
   expect(world.components.Position.y[crate]).toBeCloseTo(0.5, 2);
 });
+
+test.each([{}, { velocity: {}, kinematic: {} }])(
+  'joined bodies do not sense each other, also where one passes: %j',
+  (kind) => {
+    const world = rigidWorld({ forces: [] });
+    const hub = spawn(world, { ...kind, position: {}, collider: { shape: box(0.1, 2), sensor: true } });
+    const ball = spawn(world, { position: { x: -1 }, velocity: { x: 100 }, collider: { radius: 0.1, density: 1 } });
+    createJoint(world, distance({ a: hub, b: ball, limits: { upper: 50 } }));
+    expect(record(world, 3)).toEqual([]);
+    expect(world.components.Position.x[ball]).toBeGreaterThan(1);
+  },
+);
 
 test('events repeat after a restore', () => {
   const world = rigidWorld();

@@ -57,6 +57,7 @@ export function gatherBodies(table: usize): void {
   t.sleptCount = 0;
   t.wokenCount = 0;
   t.sensorCount = 0;
+  t.movingSensorCount = 0;
   t.mayMoveCount = 0;
   t.changedCount = 0;
   t.changedKindCount = 0;
@@ -179,6 +180,7 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
   )
     wakeIsland(t, row);
   if ((kind & SENSOR) != 0) t.sensorCount++;
+  if ((kind & SENSOR) != 0 && (kind & MOVES) != 0) t.movingSensorCount++;
   if ((kind & MAY_MOVE) != 0) t.mayMoveCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   if (same && ((before ^ kind) & DYNAMIC) != 0) {

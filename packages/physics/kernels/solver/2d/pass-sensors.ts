@@ -1,16 +1,17 @@
 // Sensors that a fast body passed within one step: the body overlaps them neither at the start nor
-// at the end of the step, but in between. The overlap begins and ends in that step. Sensors that move are tested at the ends of
-// steps only.
+// at the end of the step, but in between. The overlap begins and ends in that step. Sensors that move within the step are tested at
+// the ends of steps only.
 import { SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { shapeOf } from '../../collision/shapes/2d/shape-pool';
 import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
-import { filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
+import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { Distance, closestPoints } from '../../collision/narrow-phase/2d/distance';
 import { RelativePose, setRelative } from '../../collision/narrow-phase/2d/relative-pose';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, SENSOR, flagsOf, poseOf, word } from './body';
+import { ASLEEP, COLLIDES, MOVES, SENSOR, flagsOf, poseOf, stateOf, word } from './body';
 import { noteSensorBegin, noteSensorEnd } from './contact-events';
+import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 import { measurePath, startSweepA, startSweepB } from './sweep-shapes';
 
@@ -35,15 +36,27 @@ function passOf(t: RigidTable, body: i32, row: i32): void {
   const shape = shapeOf(row, spareB);
   startSweepB(t, sweep, body, row);
   measurePath(path, sweep, shape, 0);
-  const nodes = t.staticNodes;
-  const count = t.staticNodeCount;
+  passInTree(t, t.staticNodes, t.staticNodeCount, row, shape);
+  if (t.movingSensorCount > 0) passInTree(t, t.movingNodes, t.movingNodeCount, row, shape);
+}
+
+function passInTree(t: RigidTable, nodes: usize, count: i32, row: i32, shape: Shape): void {
   for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
     const sensor = nodeAt(nodes, i).row;
-    if ((flagsOf(t, sensor) & SENSOR) == 0 || !filtersMeet(t, row, sensor)) continue;
+    if ((flagsOf(t, sensor) & SENSOR) == 0 || !stays(t, sensor) || !filtersMeet(t, row, sensor)) continue;
+    if (areJoined(t, bodyOf(t, row), bodyOf(t, sensor))) continue;
     if (!passes(t, sensor, shape)) continue;
     noteSensorBegin(t, sensor, row);
     noteSensorEnd(t, sensor, row);
   }
+}
+
+// Whether a shape is where it was when the step began.
+function stays(t: RigidTable, row: i32): bool {
+  const flags = flagsOf(t, row);
+  if ((flags & MOVES) == 0 || (flags & ASLEEP) != 0) return true;
+  const state = stateOf(t, bodyOf(t, row));
+  return state.dx == 0 && state.dy == 0 && state.turned == 0;
 }
 
 function passes(t: RigidTable, sensor: i32, shape: Shape): bool {

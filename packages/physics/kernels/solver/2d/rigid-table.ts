@@ -67,8 +67,9 @@ export class RigidTable {
   planeWallBit: u32;
   wallColumns: usize;
   wallShapes: usize;
-  // Number of sensors in this step, and of what may move, but stands.
+  // Number of sensors in this step, of those of bodies that are not static, and of what may move, but stands.
   sensorCount: i32;
+  movingSensorCount: i32;
   mayMoveCount: i32;
   // Parts of compound bodies (parts.ts): the bit of Attachment, its columns, and the ids of all parts, ascending.
   attachmentBit: u32;
