@@ -185,6 +185,22 @@ test.each([{}, { velocity: {}, kinematic: {} }])(
   },
 );
 
+test('where two that overlap exchange which of them is the sensor, one pair ends and the other begins', () => {
+  const world = rigidWorld({ forces: [] });
+  const [a, b] = [true, false].map((sensor, i) =>
+    spawn(world, { position: { x: i / 2 }, velocity: {}, mass: 1, collider: { radius: 1, sensor } }),
+  );
+  const { Collider, Position } = world.components;
+  expect(record(world, 2)).toEqual([[0, true, a, b]]);
+  [Collider.sensor[a], Collider.sensor[b]] = [0, 1];
+  expect(record(world, 2)).toEqual([
+    [0, true, b, a],
+    [0, false, a, b],
+  ]);
+  Position.x[b] = 5;
+  expect(record(world, 2)).toEqual([[0, false, b, a]]);
+});
+
 test('events repeat after a restore', () => {
   const world = rigidWorld();
   spawn(world, { position: { y: -2 }, collider: { shape: box(4, 1), sensor: true } });

@@ -63,6 +63,7 @@ import {
   PASSING,
   RigidContact,
   SENSES,
+  SENSOR_IS_B,
   SETTLED,
   TOUCHING,
   WAS_TOUCHING,
@@ -166,13 +167,13 @@ function endContact(t: RigidTable, contact: RigidContact): void {
   }
 }
 
-// One of the shapes became a sensor, or is none any more.
-function changeKind(t: RigidTable, contact: RigidContact, senses: bool): void {
+// One of the shapes became a sensor, or is none any more; with other flags of sensors, the other one is it now.
+function changeKind(t: RigidTable, contact: RigidContact, flags: u32): void {
   endContact(t, contact);
-  wakeLater(t, contact);
+  if (flags == 0 || (contact.flags & SENSES) == 0) wakeLater(t, contact);
   contact.count = 0;
   contact.rollingImpulse = 0;
-  contact.flags = (contact.flags & IGNORED) | (senses ? sensorFlags(t, contact) : 0);
+  contact.flags = (contact.flags & IGNORED) | flags;
 }
 
 // Flags of shapes that are not plain.
@@ -209,8 +210,8 @@ let groundCount: i32 = 0;
 function updateContact(t: RigidTable, contact: RigidContact): bool {
   const flagsA = flagsOf(t, contact.a);
   const flagsB = flagsOf(t, contact.b);
-  const senses = ((flagsA | flagsB) & SENSOR) != 0;
-  if (senses != ((contact.flags & SENSES) != 0)) changeKind(t, contact, senses);
+  const sensing = ((flagsA | flagsB) & SENSOR) != 0 ? sensorFlags(t, contact) : 0;
+  if ((contact.flags & (SENSES | SENSOR_IS_B)) != sensing) changeKind(t, contact, sensing);
   if ((contact.flags & (SENSES | IGNORED)) != 0) {
     if ((contact.flags & SENSES) != 0) updateSensor(t, contact, isActive(flagsA) || isActive(flagsB));
     return false;
