@@ -39,6 +39,28 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
   });
 
   it.each([
+    ['static', {}],
+    ['kinematic', { velocity: {}, kinematic: {} }],
+  ] as const)('a %s door that becomes solid pushes out what sleeps in it', (_how, kind) => {
+    const { world, crate } = worldWithCrate(precision, 0);
+    const door = spawn(world, { ...kind, position: { x: -0.45, y: 1 }, collider: { shape: box(0.4, 2), mask: 0 } });
+    run(world, 2);
+    expect(isAsleep(world, crate)).toBe(true);
+    world.components.Collider.mask[door] = 1;
+    step(world, DT);
+    expect(isAsleep(world, crate)).toBe(false);
+    run(world, 2);
+    expect(world.components.Position.x[crate]).toBeGreaterThan(0.25 - SLOP);
+  });
+
+  it('other layers of the ground, on which it still stands, do not wake a crate', () => {
+    const { world, ground, crate } = worldWithCrate(precision, 2);
+    world.components.Collider.layers[ground] = 3;
+    step(world, DT);
+    expect(isAsleep(world, crate)).toBe(true);
+  });
+
+  it.each([
     [0.3, 'awake'],
     [2, 'asleep'],
   ] as const)('a crate whose mask is off for a step does not sink, after %d s %s', (seconds, how) => {

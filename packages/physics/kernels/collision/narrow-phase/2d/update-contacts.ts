@@ -101,7 +101,9 @@ export function wakeIslands(table: usize): void {
     if ((contact.flags & (SENSES | IGNORED | PASSING)) != 0) continue;
     const touched = (contact.flags & TOUCHING) != 0;
     const isEnding = ((flagsA | flagsB) & SENSOR) != 0 || isOver(t, contact);
-    if (!isEnding && !mayMove) continue;
+    // What does not move meets what sleeps where it begins to collide.
+    const mayMeet = mayMove || (!touched && ((flagsA | flagsB) & CHANGED) != 0);
+    if (!isEnding && !mayMeet) continue;
     if (!isEnding) findManifold(t, contact);
     if (!touched && (isEnding || contact.count == 0)) continue;
     wakeBody(t, contact.bodyA);
