@@ -258,4 +258,18 @@ describe('what sleeps on something that holds it no longer falls in the same ste
     step(world, DT);
     for (const body of bodies) expect(world.components.Velocity.y[body]).toBeCloseTo(-G * DT, 3);
   });
+
+  test('because it was a part of a static compound', () => {
+    const world = rigidWorld();
+    const shape = box(1, 1);
+    const { parts } = spawnCompound(world, { position: {}, parts: [{ shape, x: -2 }, { shape }] });
+    const { x, y } = world.components.Position;
+    const [column, floor] = [x[parts[1]], y[parts[1]]];
+    const body = spawn(world, { position: { x: column, y: floor + 1 }, collider: { shape, density: 10 } });
+    run(world, 2);
+    expect(isAsleep(world, body)).toBe(true);
+    despawn(world, parts[1]);
+    step(world, DT);
+    expect(world.components.Velocity.y[body]).toBeCloseTo(-G * DT, 3);
+  });
 });

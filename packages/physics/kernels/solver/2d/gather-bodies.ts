@@ -96,6 +96,7 @@ function leaveBody(t: RigidTable, row: i32): void {
   const owner = word(t.owners, row);
   if (owner == 0) return;
   t.isUnsettled = 1;
+  t.changedCount++;
   if ((flagsOf(t, owner) & (ASLEEP | PART)) == ASLEEP) wakeIsland(t, owner);
   invalidateTrees(t, flagsOf(t, row));
   // The extents of the body are found anew, too.
