@@ -20,6 +20,10 @@ export function stepEmitter(emitter: usize, dt: f64): void {
   e.lastX = e.x;
   e.lastY = e.y;
   e.lastZ = e.z;
+  e.lastTurnX = e.turnX;
+  e.lastTurnY = e.turnY;
+  e.lastTurnZ = e.turnZ;
+  e.lastTurnW = e.turnW;
   e.pending = dt;
 }
 
@@ -27,9 +31,13 @@ function emitStream(e: Emitter): void {
   if (e.rate == 0 || e.pending == 0) return;
   const due = e.fractionalBirths + e.rate * e.pending;
   const count = floor<f64>(due);
-  // Births beyond the capacity are dropped without drawing random numbers.
+  // Births beyond the capacity draw no random numbers. They are dropped, but for those whose life is over by now in any case.
   const skipped = max<f64>(0, count - <f64>e.capacity);
-  e.droppedCount += skipped;
+  const over = floor<f64>(e.fractionalBirths + e.rate * (e.pending - e.lifetimeMax));
+  const ended = max<f64>(0, min<f64>(skipped, over));
+  e.born += ended;
+  e.ended += ended;
+  e.droppedCount += skipped - ended;
   // An integer counter, because an f64 above 2^53 does not change when 1 is added.
   for (let born: i32 = 1, lastBirth = <i32>(count - skipped); born <= lastBirth; born++) {
     const sinceStart = (skipped + <f64>born - e.fractionalBirths) / e.rate;

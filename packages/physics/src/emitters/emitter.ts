@@ -272,7 +272,7 @@ export interface EmitterCounts {
   readonly alive: number;
   readonly born: number;
   readonly ended: number;
-  /** Births that were dropped because the pool was full. */
+  /** Births that were dropped because the pool was full. Those whose life ends before they would appear need no room. */
   readonly dropped: number;
 }
 
@@ -282,7 +282,10 @@ export function emitterCounts(emitter: Emitter): EmitterCounts {
   return { alive: words[W.alive], born: numbers[N.born], ended: numbers[N.ended], dropped: numbers[N.droppedCount] };
 }
 
-/** Particles that ended in the last step. */
+/**
+ * Particles that ended in the last step. One whose whole life fell between two steps had no entity and is not among them, nor are
+ * more than the capacity of the emitter, which `burst` may replace in a step with `whenFull: 'oldest'`; `emitterCounts` has all.
+ */
 export interface Endings {
   readonly count: number;
   /** Ids of pool entities, which may be in use again; only the first `count` are valid. */

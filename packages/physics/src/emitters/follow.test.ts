@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { codeOf, living, run } from '../../../../test/support/emitting.ts';
-import { spawn } from '../bodies/spawn.ts';
+import { despawn, spawn } from '../bodies/spawn.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { createPhysicsWorld } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
@@ -156,6 +156,21 @@ describe('an emitter in the frame of its body', () => {
     step(world, 1e-9);
     const [eid] = living(emitter);
     expect([world.components.Position.x[eid], world.components.Position.y[eid]]).toEqual([1, 2]);
+  });
+
+  test('a burst where its turning body was removed has no velocity', () => {
+    const world = createPhysicsWorld({ capacity: 100 });
+    const entity = spawn(world, { position: {}, velocity: { x: 10 }, mass: 1, rotation: 0, angularVelocity: 5 });
+    const options = { frame: 'entity', offset: { y: 2 }, speed: 0, inheritVelocity: 1 } as const;
+    const emitter = createEmitter(world, { capacity: 5, entity, ...options });
+    for (let i = 0; i < 3; i++) step(world, 1 / 60);
+    despawn(world, entity);
+    for (let i = 0; i < 3; i++) step(world, 1 / 60);
+    burst(emitter, 1);
+    step(world, 1 / 60);
+    const [eid] = living(emitter);
+    const { Velocity } = world.components;
+    expect([Velocity.x[eid], Velocity.y[eid]]).toEqual([0, 0]);
   });
 
   test('is refused without a body, and in the plane with depth', () => {

@@ -56,6 +56,14 @@ describe('the number of living particles', () => {
     expect(emitterCounts(emitter).dropped).toBeGreaterThan(9e8);
   });
 
+  test('drops nothing where those that end in the step make room, however many are born in it', () => {
+    const { world, emitter } = emitting({ capacity: 10, rate: 6000, lifetime: 0.001 });
+    run(world, 1);
+    // Of the 100 of a step, the six of the last millisecond are alive.
+    const { alive, born, ended, dropped } = emitterCounts(emitter);
+    expect([alive, born, ended, dropped]).toEqual([6, 5900, 5894, 0]);
+  });
+
   test('a life shorter than a step is counted but never visible', () => {
     const { world, emitter } = emitting({ rate: 1000, lifetime: 0.001 });
     run(world, 1, 0.1);
