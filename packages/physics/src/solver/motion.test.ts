@@ -69,6 +69,27 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     expect(Velocity.y[locked]).toBeCloseTo(1, 5);
   });
 
+  it('a kinematic body does not move along a locked axis either, nor turn', () => {
+    const world = rigidWorld({ precision });
+    const lift = spawn(world, {
+      position: {},
+      rotation: 0,
+      velocity: { x: 1, y: 1 },
+      angularVelocity: 1,
+      kinematic: {},
+      motionLocks: { x: true, angle: true },
+      collider: { shape: box(4, 0.2), friction: 0.8 },
+    });
+    const crate = { shape: box(1, 1), density: 1, friction: 0.8 };
+    const load = spawn(world, { position: { y: 0.6 }, velocity: { y: 1 }, collider: crate });
+    run(world, 1);
+    const { Position, Rotation, Velocity } = world.components;
+    expect([Position.x[lift], Rotation.angle[lift], Velocity.x[lift]]).toEqual([0, 0, 0]);
+    expect(Position.y[lift]).toBeCloseTo(1, 4);
+    expect(Math.abs(Position.x[load])).toBeLessThan(1e-3);
+    expect(Position.y[load]).toBeCloseTo(1.6, 2);
+  });
+
   it('a body on a rail hands momentum along it to another', () => {
     const world = rigidWorld({ precision, forces: [uniformGravity()] });
     const rail = { motionLocks: { y: 1, angle: 1 }, collider: { shape: box(1, 1), density: 1, restitution: 1 } };

@@ -1,5 +1,5 @@
 // Begins a step: which rows are bodies of the solver, their poses, and their velocities, gathered from the columns.
-import { Columns, columns, get } from '../../memory/columns';
+import { Columns, columns, get, put } from '../../memory/columns';
 import { clearRecord } from '../../memory/records';
 import { sineCosine } from '../../math/elementary';
 import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
@@ -128,7 +128,10 @@ function list(t: RigidTable, isFirst: bool): void {
       if (isFirst) noteStatic(c, t, row);
       continue;
     }
-    if (isFirst && (flags & KINEMATIC) != 0) watchKinematic(c, t, row);
+    if (isFirst && (flags & KINEMATIC) != 0) {
+      if ((<u32>word(c.members, row) & t.lockBit) != 0) stopLocked(c, t, row);
+      watchKinematic(c, t, row);
+    }
     readPose(c, t, row);
     readExtents(t, row);
     readVelocity(c, t, row);
@@ -160,6 +163,13 @@ function isUnchanged(c: Columns, t: RigidTable, row: i32): bool {
   const pose = poseOf(t, row);
   if (get(c.positionX, row) != pose.x || get(c.positionY, row) != pose.y) return false;
   return get(t.angle, row) == sleeperOf(t, row).angle;
+}
+
+// A kinematic body keeps no velocity along a locked axis either.
+function stopLocked(c: Columns, t: RigidTable, row: i32): void {
+  if (word(t.lockX, row) != 0) put(c.velocityX, row, 0);
+  if (word(t.lockY, row) != 0) put(c.velocityY, row, 0);
+  if (word(t.lockAngle, row) != 0) put(c.angularVelocityZ, row, 0);
 }
 
 // What lies on a kinematic body that stands may sleep.
