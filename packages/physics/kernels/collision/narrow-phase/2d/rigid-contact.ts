@@ -2,6 +2,7 @@
 // manifold and its impulses, from which the next step starts.
 import { word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { EDGE_OF_A, EDGE_OF_B } from './manifold';
 
 @unmanaged
 export class RigidContact {
@@ -69,7 +70,22 @@ const POINT: usize = 14 * sizeof<real>();
 // @ts-ignore: decorator
 @inline export const RIGID_CONTACT_SIZE: usize = (offsetof<RigidContact>('point0') + 2 * POINT + 15) & ~15;
 
-// Bits of `flags`: the shapes touch now, and did in the step before; the manifold was found and may be kept.
+// Bits of `flags`, and how long they last. What is of one step is found anew in each that looks at the contact, from what it was.
+//
+//   TOUCHING, WAS_TOUCHING     a step; the second is the first of the step before
+//   FOUND                      as long as the manifold may be kept
+//   PASSING                    a step; while the shapes meet it follows from that of the step before
+//   SENSES, SENSOR_IS_B        as long as the same shape is a sensor; of the others only FOUND and the next two go with them
+//   OVERLAPS, DID_OVERLAP      a step; the second is the first of the step before
+//   IGNORED                    as long as the contact, unless it senses
+//   COVERED                    a step
+//   IS_DEEP                    until the depth of the contact is looked at again
+//   FORESEEN, FAST_POINT       a step
+//   EDGE_OF_A, EDGE_OF_B       as long as the manifold, whose they are (manifold.ts): 8192, 16384
+//   ON_CHAIN, CORNERS          as long as the manifold
+//   IS_DEEP_PAIR               a step
+//
+// The shapes touch now, and did in the step before; the manifold was found and may be kept.
 export const TOUCHING: u32 = 1;
 export const WAS_TOUCHING: u32 = 2;
 export const FOUND: u32 = 4;
@@ -90,7 +106,7 @@ export const IS_DEEP: u32 = 1024;
 export const FORESEEN: u32 = 2048;
 // A point approached faster than the hit speed when the step began.
 export const FAST_POINT: u32 = 4096;
-// 8192 and 16384 are EDGE_OF_A and EDGE_OF_B (manifold.ts): the only point is a corner of b on an edge of a, or the other way round.
+// EDGE_OF_A and EDGE_OF_B: the only point is a corner of b on an edge of a, or the other way round.
 // One of the shapes is a segment of a chain, which ends where the next one begins.
 export const ON_CHAIN: u32 = 32768;
 // Whose corners the points are: FIRST_OF_B, SECOND_OF_B and KNOWN of manifold.ts from this bit on.
@@ -98,6 +114,10 @@ export const CORNERS_SHIFT: u32 = 16;
 export const CORNERS: u32 = 7 << CORNERS_SHIFT;
 // It is deep, has two points, and neither body touches anything else (solver/2d/deep-pairs.ts).
 export const IS_DEEP_PAIR: u32 = 1 << 19;
+
+// What goes with the manifold, and what a contact that collides has from the step before.
+export const OF_MANIFOLD: u32 = EDGE_OF_A | EDGE_OF_B | ON_CHAIN | CORNERS;
+export const KEPT: u32 = FOUND | IS_DEEP | OF_MANIFOLD;
 
 // @ts-ignore: decorator
 @inline export function contactAt(t: RigidTable, slot: i32): RigidContact {

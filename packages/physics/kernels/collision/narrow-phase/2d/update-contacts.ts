@@ -45,19 +45,19 @@ import { areDiscs } from './collide-ahead';
 import { collideShapes } from './collide-shapes';
 import { freeContact, isCurrent, moveEntry, sensorFlags } from './contact-list';
 import { SPECULATIVE_DISTANCE, dropFarPoints, foreseeDiscs, mayStop, reachOf } from './far-points';
-import { EDGE_OF_A, EDGE_OF_B, Manifold, setPoses } from './manifold';
+import { Manifold, setPoses } from './manifold';
 import { moveToMiddle } from './mid-step';
 import { mixMaterials } from './mix-materials';
 import { moveAnchors } from './move-anchors';
 import { passesThrough } from './one-way';
 import {
-  CORNERS,
   CORNERS_SHIFT,
   ContactPoint,
   FORESEEN,
   FOUND,
   IGNORED,
-  IS_DEEP,
+  KEPT,
+  OF_MANIFOLD,
   ON_CHAIN,
   OVERLAPS,
   PASSING,
@@ -219,8 +219,7 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
     return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
-  const kept =
-    (contact.flags & (FOUND | IS_DEEP | EDGE_OF_A | EDGE_OF_B | ON_CHAIN | CORNERS)) | (touched ? WAS_TOUCHING : 0);
+  const kept = (contact.flags & KEPT) | (touched ? WAS_TOUCHING : 0);
   if (!isActive(flagsA) && !isActive(flagsB)) {
     contact.flags = kept | (touched ? TOUCHING : contact.flags & PASSING);
     return false;
@@ -303,7 +302,7 @@ function findManifold(t: RigidTable, contact: RigidContact): void {
   // A predicted manifold is computed again in the next step, and so is one that was left out because of how fast the two were.
   if (isLeftOut || (contact.flags & FORESEEN) != 0) contact.flags &= ~FOUND;
   else contact.flags |= FOUND;
-  contact.flags = (contact.flags & ~(EDGE_OF_A | EDGE_OF_B | ON_CHAIN | CORNERS)) | (m.corners << CORNERS_SHIFT);
+  contact.flags = (contact.flags & ~OF_MANIFOLD) | (m.corners << CORNERS_SHIFT);
   contact.room = m.room;
   if (m.count == 1) contact.flags |= m.edge;
   if ((shapeA.isChained | shapeB.isChained) != 0) contact.flags |= ON_CHAIN;
