@@ -125,31 +125,25 @@ function list(t: RigidTable, isFirst: bool): void {
     if ((flags & ASLEEP) != 0) t.asleepCount++;
     if ((flags & (MOVES | STATIC)) == 0 || (flags & (ASLEEP | PART)) != 0) continue;
     if ((flags & STATIC) != 0) {
-      if (isFirst) noteStatic(c, t, row);
-      continue;
-    }
-    if (isFirst && (flags & KINEMATIC) != 0) {
+      if (!isFirst) continue;
+      if ((flags & WALL) != 0) {
+        placeWall(t, row);
+        continue;
+      }
+      if ((flags & COMPOUND) == 0 && isUnchanged(c, t, row)) continue;
+    } else if (isFirst && (flags & KINEMATIC) != 0) {
       if ((<u32>word(c.members, row) & t.lockBit) != 0) stopLocked(c, t, row);
       watchKinematic(c, t, row);
     }
     readPose(c, t, row);
     readExtents(t, row);
+    if ((flags & MOVES) == 0) continue;
     readVelocity(c, t, row);
     putWord(t.awake, awake++, row);
   }
   t.awakeCount = awake;
   listLocked(t);
   if (t.partCount > 0) placeParts(t);
-}
-
-// Of a compound the extents are found anew by `placeParts`.
-// @ts-ignore: decorator
-@inline function noteStatic(c: Columns, t: RigidTable, row: i32): void {
-  const flags = flagsOf(t, row);
-  if ((flags & WALL) != 0) return placeWall(t, row);
-  if ((flags & COMPOUND) == 0 && isUnchanged(c, t, row)) return;
-  readPose(c, t, row);
-  readExtents(t, row);
 }
 
 // Whether pose and collider of a static body are those of the last step. A body without a box is new, or collides with
@@ -190,8 +184,10 @@ function classify(t: RigidTable, row: i32, kind: u32): bool {
     (changed || (before & WAKES) != 0 || (kind & SLEEPLESS) != 0 || wasDisturbed(t, row, kind))
   )
     wakeIsland(t, row);
-  if ((kind & SENSOR) != 0) t.sensorCount++;
-  if ((kind & SENSOR) != 0 && (kind & MOVES) != 0) t.movingSensorCount++;
+  if ((kind & SENSOR) != 0) {
+    t.sensorCount++;
+    if ((kind & MOVES) != 0) t.movingSensorCount++;
+  }
   if ((kind & MAY_MOVE) != 0) t.mayMoveCount++;
   putFlags(t, row, kind | (changed ? 0 : flagsOf(t, row) & KEPT));
   if (same && ((before ^ kind) & DYNAMIC) != 0) {
