@@ -12,7 +12,7 @@ import { build } from 'esbuild';
 import { chromium } from 'playwright-core';
 import { buildKernels } from './build-kernels.mjs';
 import { bundleOptions } from './lib/bundle.mjs';
-import { commandOptions } from './lib/command-options.mjs';
+import { commandOptions, numberOption } from './lib/command-options.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
 import { gameAddress, gameNames } from './lib/site-pages.mjs';
@@ -25,6 +25,8 @@ const values = commandOptions({
   sparks: { type: 'string', default: '50000' },
   drawn: { type: 'boolean', default: false },
 });
+const bodies = numberOption('bodies', values.bodies, { min: 1 });
+const sparks = numberOption('sparks', values.sparks, { min: 1 });
 const ROUNDS = 6;
 const FRAMES = 15;
 /** Frames before the first that counts: compilers come to rest, and the sky fills with sparks. */
@@ -37,17 +39,14 @@ const WITHOUT_SHELL = ['first-game', 'front-page'];
 let browser;
 const folder = mkdtempSync(join(tmpdir(), 'principia-frame-cost-'));
 try {
-  for (const what of /** @type {const} */ (['bodies', 'sparks'])) {
-    if (!(Number(values[what]) >= 1)) throw new Error(`--${what} must be a number from 1, got ${values[what]}.`);
-  }
   await buildKernels({ quiet: true });
   const flags = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
   browser = await chromium.launch({ executablePath, chromiumSandbox: false, args: flags });
-  await measureBodies(browser, Number(values.bodies));
+  await measureBodies(browser, bodies);
   await writeSite(folder);
   const server = await serveFiles({ find: (path) => readIfThere(join(folder, path)) });
-  await measureSparks(browser, server.url, Number(values.sparks));
+  await measureSparks(browser, server.url, sparks);
   await measureGames(browser, server.url);
   await server.close();
 } catch (error) {

@@ -8,7 +8,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { commandOptions } from './lib/command-options.mjs';
+import { commandOptions, gamesOption, numberOption } from './lib/command-options.mjs';
 import { countInPage, KEPT_BY_PIXI, objectsOf, playRound, takeCounts, WITHOUT_COMPILERS } from './lib/leak-watch.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { writeSite } from './lib/site-build.mjs';
@@ -20,6 +20,13 @@ const values = commandOptions({
   game: { type: 'string', multiple: true },
   together: { type: 'boolean', default: false },
 });
+/** Milliseconds that a game is played. */
+const length = 60_000 * numberOption('minutes', values.minutes, { min: 0.01, whole: false });
+// The first game of the tour has no shell, and nothing to work it by.
+const names = gamesOption(
+  values.game,
+  gameNames().filter((name) => name !== 'first-game'),
+);
 /** Rounds before the first count: caches and compilers fill. */
 const WARM = 5;
 /** Heap that may come and go: caches, feedback of the interpreter, strings. */
@@ -32,8 +39,6 @@ try {
   const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', WITHOUT_COMPILERS];
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
   const browser = await chromium.launch({ executablePath, chromiumSandbox: false, args });
-  // The first game of the tour has no shell, and nothing to work it by.
-  const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
   /** @type {string[]} */
   const leaks = [];
   const watchOne = async (/** @type {string} */ name) => {
@@ -66,7 +71,6 @@ async function watch(browser, url, name) {
   const first = await takeCounts(page, session);
   process.stdout.write(line(name, 0, 0, first));
   const start = performance.now();
-  const length = Number(values.minutes) * 60_000;
   let last = first;
   let round = WARM;
   for (let shown = start; performance.now() - start < length; round++) {

@@ -12,7 +12,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { SingleBar } from 'cli-progress';
 import { exampleFiles } from './build-examples.mjs';
-import { commandOptions } from './lib/command-options.mjs';
+import { commandOptions, numberOption } from './lib/command-options.mjs';
 import { firstFrame, launchBrowser, medianOf, serveBuilt } from './lib/first-frame.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 
@@ -22,6 +22,9 @@ const values = commandOptions({
   slowest: { type: 'string', default: '10' },
   delay: { type: 'string', default: '0' },
 });
+const loads = numberOption('loads', values.loads, { min: 1 });
+const slowest = numberOption('slowest', values.slowest, { min: 0 });
+const delay = numberOption('delay', values.delay, { min: 0, whole: false });
 /** Milliseconds above which a page is listed. */
 const SLOW = 1000;
 
@@ -36,8 +39,6 @@ try {
 process.exit();
 
 async function measure() {
-  const loads = Number(values.loads);
-  if (!(loads >= 1)) throw new Error(`--loads must be a number from 1, got ${values.loads}.`);
   const ids = exampleFiles().map((file) => file.replace('/', '-').replace(/\.ts$/, ''));
   const chosen = ids.filter((id) => id.includes(values.only));
   if (chosen.length === 0) throw new Error(`--only ${values.only} names no example: ids are like ${ids[0]}.`);
@@ -68,7 +69,6 @@ async function measure() {
 async function load(browser, site, id) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block' });
   const page = await context.newPage();
-  const delay = Number(values.delay);
   if (delay > 0) {
     await page.route('**/*', async (route) => {
       await new Promise((done) => setTimeout(done, delay));
@@ -86,7 +86,7 @@ function print(times) {
   /** @param {{ id: string, time: number }} each */
   const row = ({ id, time }) => `  ${time.toFixed(0).padStart(6)} ms  ${id}\n`;
   process.stdout.write(`${times.length} pages, median ${medianOf(times.map(({ time }) => time)).toFixed(0)} ms\n`);
-  process.stdout.write(`The slowest:\n${sorted.slice(0, Number(values.slowest)).map(row).join('')}`);
+  process.stdout.write(`The slowest:\n${sorted.slice(0, slowest).map(row).join('')}`);
   const slow = sorted.filter(({ time }) => time > SLOW);
   process.stdout.write(slow.length === 0 ? `None above ${SLOW} ms\n` : `Above ${SLOW} ms:\n${slow.map(row).join('')}`);
 }

@@ -6,7 +6,7 @@
  */
 import { spawnSync } from 'node:child_process';
 import { SingleBar } from 'cli-progress';
-import { commandOptions } from './lib/command-options.mjs';
+import { commandOptions, numberOption, refuse } from './lib/command-options.mjs';
 import { heapSlope, ROUND } from './lib/long-run.mjs';
 import { resolveInstalled, root } from './lib/paths.mjs';
 
@@ -20,7 +20,14 @@ const values = commandOptions({
 const RUNS = 900;
 const OPERATIONS_PER_RUN = 30 * (4 / 3);
 
-const batches = Math.ceil(Number(values.operations) / (RUNS * OPERATIONS_PER_RUN));
+const operations = numberOption('operations', values.operations, { min: 0 });
+const firstSeed = numberOption('seed', values.seed, { min: 0 });
+const steps = numberOption('steps', values.steps, { min: 0 });
+const rounds = Math.floor(steps / ROUND);
+if (steps > 0 && rounds < 2)
+  refuse(`--steps must be 0 or at least ${2 * ROUND}, the rounds of the long run, not "${steps}".`);
+
+const batches = Math.ceil(operations / (RUNS * OPERATIONS_PER_RUN));
 /** @param {string} what */
 const barOf = (what) =>
   new SingleBar({ format: `{bar} {percentage}% | {value} of {total} ${what} | {eta} s left`, clearOnComplete: true });
@@ -28,7 +35,7 @@ const barOf = (what) =>
 const bar = barOf('batches of operations');
 bar.start(batches, 0);
 for (let batch = 0; batch < batches; batch++) {
-  const seed = Number(values.seed) + 2 * batch;
+  const seed = firstSeed + 2 * batch;
   const env = { ...process.env, SOAK_RUNS: `${RUNS}`, SOAK_SEED: `${seed}` };
   const args = [
     resolveInstalled('vitest/package.json').replace(/package\.json$/, 'vitest.mjs'),
@@ -55,11 +62,10 @@ process.stdout.write(`${batches * RUNS * OPERATIONS_PER_RUN} random operations, 
 /** Largest growth of the heap in a round of the long run, bytes. */
 const MAX_SLOPE = 1024;
 
-const rounds = Math.floor(Number(values.steps) / ROUND);
 if (rounds > 0) {
   const runBar = barOf(`rounds of ${ROUND} steps`);
   runBar.start(rounds, 0);
   const slope = await heapSlope(rounds * ROUND, () => runBar.increment()).finally(() => runBar.stop());
   process.stdout.write(`${rounds * ROUND} steps; the heap grew by ${slope.toFixed(0)} bytes in ${ROUND} of them.\n`);
-  if (slope > MAX_SLOPE) process.exit(1);
+  if (!(slope <= MAX_SLOPE)) process.exit(1);
 }

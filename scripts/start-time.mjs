@@ -11,7 +11,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { buildKernels } from './build-kernels.mjs';
-import { commandOptions } from './lib/command-options.mjs';
+import { commandOptions, gamesOption, numberOption } from './lib/command-options.mjs';
 import { firstFrame, launchBrowser, medianOf, serveBuilt } from './lib/first-frame.mjs';
 import { blockedByFirstWorld, FIRST_WORLDS, serveFirstWorlds } from './lib/first-world.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
@@ -24,11 +24,15 @@ const values = commandOptions({
   game: { type: 'string', multiple: true },
   built: { type: 'boolean', default: false },
 });
-const loads = Number(values.loads);
+const loads = numberOption('loads', values.loads, { min: 1 });
+// The first game of the tour has no shell to say when it is ready.
+const games = gamesOption(
+  values.game,
+  gameNames().filter((name) => name !== 'first-game'),
+);
 
 const folder = mkdtempSync(join(tmpdir(), 'principia-start-'));
 try {
-  if (!(loads >= 1)) throw new Error(`--loads must be a number from 1, got ${values.loads}.`);
   if (values.game === undefined) await measureWorlds();
   if (!values.worlds) await measureGames();
 } catch (error) {
@@ -60,10 +64,8 @@ async function measureWorlds() {
 
 async function measureGames() {
   const server = values.built ? await serveBuilt(folder) : await serveSite({ ports: [0], host: '127.0.0.1' });
-  // The first game of the tour has no shell to say when it is ready.
-  const names = values.game ?? gameNames().filter((name) => name !== 'first-game');
-  await untilServed(`${server.url}${names[0]}/main.js`);
-  for (const name of names) {
+  await untilServed(`${server.url}${games[0]}/main.js`);
+  for (const name of games) {
     const times = [];
     for (let i = 0; i < loads; i++) times.push(await timeOf(server.url, name));
     process.stdout.write(`${name}: ${summary(times, 0)}\n`);
