@@ -1,19 +1,17 @@
 /** The service worker of the static site: after the first visit every page works without the internet. */
 import { createHash } from 'node:crypto';
-import { readdirSync, readFileSync } from 'node:fs';
 
 /**
  * The source of a worker that keeps all files of the site. Scripts come from the cache, pages from the network where there is
  * one. A new version of the site waits until no page of the old one is open, since pages load parts of themselves later.
- * @param {string} folder of the site as written
+ * @param {Readonly<Record<string, string | Uint8Array>>} contents of the files of the site, by their paths there
  */
-export function serviceWorker(folder) {
-  const files = readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile() && !entry.name.endsWith('.map'))
-    .map((entry) => `${entry.parentPath}/${entry.name}`.slice(folder.length + 1).replaceAll('\\', '/'))
+export function serviceWorker(contents) {
+  const files = Object.keys(contents)
+    .filter((file) => !file.endsWith('.map'))
     .sort();
   const hash = createHash('sha256');
-  for (const file of files) hash.update(file).update(readFileSync(`${folder}/${file}`));
+  for (const file of files) hash.update(file).update(contents[file]);
   return `const CACHE = 'principia ' + registration.scope + ' ${hash.digest('hex').slice(0, 16)}';
 const FILES = ${JSON.stringify(files)};
 addEventListener('install', (event) => event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES))));

@@ -1,10 +1,12 @@
 /** The games as a static site: files that any web server serves from any folder, with no other address in them. */
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, relative } from 'node:path';
 import { build } from 'esbuild';
 import { WORDS_BY_LANGUAGE } from '../../games/front-page/words.mjs';
 import { scriptsByGame, startSooner } from './first-scripts.mjs';
 import { serviceWorker, withServiceWorker } from './service-worker.mjs';
 import { frontPageOptions, siteBundles } from './site-bundle.mjs';
+import { siteAddress, siteFolder } from './site-folder.mjs';
 import { frontPage, gameNames, gamePage, gamePicture, withPreview } from './site-pages.mjs';
 
 /** Browsers run no modules that lie in a folder without a server: then the page says what to do. */
@@ -21,31 +23,56 @@ if (location.protocol === 'file:') {
 </script>`;
 
 /**
- * Writes the site; what was in the folder goes.
- * @param {string} folder
- * @param {string} [site] the address at which the site will be, for previews of links
+ * Writes the site. What was in the folder goes, once everything has been built: a build that fails leaves a former site.
+ * @param {string} out folder, new, empty or with a former site
+ * @param {string} [address] at which the site will be, for previews of links
  * @returns {Promise<number>} how many games it has
+ * @throws Error if the folder holds anything else, or the address is none
  */
-export async function writeSite(folder, site) {
+export async function writeSite(out, address) {
+  const folder = siteFolder(out);
+  const site = address === undefined ? undefined : siteAddress(address);
   const names = gameNames();
-  rmSync(folder, { recursive: true, force: true });
-  const bundles = siteBundles({ minify: true, outdir: folder, conditions: ['principia-source', 'production'] });
+  const options = { outdir: folder, write: false };
+  const bundles = siteBundles({ ...options, minify: true, conditions: ['principia-source', 'production'] });
   const built = await Promise.all(bundles.map((bundle) => build(bundle)));
-  await build(frontPageOptions({ outdir: folder }));
-  const scripts = scriptsByGame(built.map(({ metafile }) => metafile));
-  mkdirSync(folder, { recursive: true });
+  const ownFront = await build(frontPageOptions(options));
+  const files = Object.fromEntries(
+    [...built, ownFront]
+      .flatMap(({ outputFiles = [] }) => outputFiles)
+      .map(({ path, contents }) => [relative(folder, path).replaceAll('\\', '/'), contents]),
+  );
+  Object.assign(files, pagesOf(names, site, scriptsByGame(built.map(({ metafile }) => metafile))));
+  // The worker lists the files, so that what a build left that was ended here is known as a site.
+  const worker = serviceWorker(files);
+  rmSync(folder, { recursive: true, force: true });
+  for (const [name, content] of [['sw.js', worker], ...Object.entries(files)]) {
+    const path = `${folder}/${name}`;
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, content);
+  }
+  return names.length;
+}
+
+/**
+ * The pages and pictures, by their paths in the site.
+ * @param {readonly string[]} names of the games
+ * @param {string | undefined} site
+ * @param {ReturnType<typeof scriptsByGame>} scripts
+ */
+function pagesOf(names, site, scripts) {
   const first = names.find((name) => gamePicture(name));
   const front = withPreview(frontPage(), { site, picture: first && `${first}/picture.webp` });
-  writeFileSync(`${folder}/index.html`, withServiceWorker(withNote(front), './sw.js'));
+  /** @type {Record<string, string | Uint8Array>} */
+  const files = { 'index.html': withServiceWorker(withNote(front), './sw.js') };
   for (const name of names) {
     const picture = gamePicture(name);
     const place = { site, path: `${name}/`, picture: picture && `${name}/picture.webp` };
     const page = withPreview(startSooner(gamePage(name), scripts(name)), place);
-    writeFileSync(`${folder}/${name}/index.html`, withServiceWorker(withNote(page), '../sw.js'));
-    if (picture) writeFileSync(`${folder}/${name}/picture.webp`, picture);
+    files[`${name}/index.html`] = withServiceWorker(withNote(page), '../sw.js');
+    if (picture) files[`${name}/picture.webp`] = picture;
   }
-  writeFileSync(`${folder}/sw.js`, serviceWorker(folder));
-  return names.length;
+  return files;
 }
 
 /** @param {string} html */

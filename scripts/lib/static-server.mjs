@@ -75,7 +75,10 @@ async function listen(server, host, ports) {
     const taken = await new Promise((resolve, reject) => {
       server.once('error', (/** @type {NodeJS.ErrnoException} */ error) => {
         if (error.code === 'EADDRINUSE' || error.code === 'EACCES') resolve(true);
-        else reject(error);
+        else
+          reject(
+            new Error(`Nothing can be served at ${host} (${error.code}): --host must be an address of this machine.`),
+          );
       });
       server.listen(port, host, () => resolve(false));
     });

@@ -1,7 +1,7 @@
 /** The static site as `npm run build` writes it: in a folder below another, without the internet, every game played. */
 import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
@@ -24,7 +24,8 @@ let home: string;
 
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), 'principia-site-'));
-  await writeSite(folder);
+  // As a shell completes it.
+  await writeSite(`${relative(process.cwd(), folder)}/`);
   server = await serveFiles({
     find(path) {
       const file = join(folder, path.slice(PREFIX.length));
