@@ -2,7 +2,7 @@ import type { Example, ExampleRun } from '@principia/scenes/examples';
 import { EXAMPLES } from '@principia/scenes/examples/list';
 import { copyLink, element, type GameCard, withLanguage } from '@principia/shell';
 import { keyName } from './key-name.ts';
-import { momentAddress } from './moment.ts';
+import { isNameable, momentAddress } from './moment.ts';
 import { actOn, presentRun } from './on-display.ts';
 import { WORDS } from './words.ts';
 
@@ -89,7 +89,7 @@ function buttonsOf({ id, presets, parameters }: Example): HTMLElement[] {
   const copy = element('button', '', { type: 'button', title: WORDS.copyMoment }, WORDS.copyLink);
   const said = element('p', 'lab-said', { role: 'status' });
   copy.addEventListener('click', async () => {
-    said.textContent = await copyLink(momentAddress(), WORDS.thisMoment);
+    said.textContent = await copyLink(momentAddress(), isNameable() ? WORDS.thisMoment : WORDS.startOfThis);
     setTimeout(() => said.replaceChildren(), SAID_MS);
   });
   row.append(copy);

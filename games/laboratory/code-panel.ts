@@ -3,7 +3,7 @@
 import { copyLink, element } from '@principia/shell';
 import { announceCover } from './covers.ts';
 import { NEW, NEW_SOURCE } from './new-example.ts';
-import { forgetOwnCode, keepOwnCode, linkWith, ownCode } from './own-code.ts';
+import { forgetOwnCode, keepOwnCode, type LinkedCode, linkWith, ownCode } from './own-code.ts';
 import { CodeError } from './run-code.ts';
 import { SOURCES } from './sources.gen.ts';
 import { tryCode } from './try-code.ts';
@@ -22,7 +22,7 @@ export interface CodePanel {
 export async function createCodePanel(
   parent: HTMLElement,
   id: string,
-  linked: string | undefined,
+  linked: LinkedCode | undefined,
   close: () => void,
 ): Promise<CodePanel> {
   const original = id === NEW ? NEW_SOURCE : await SOURCES[id]();
@@ -33,7 +33,7 @@ export async function createCodePanel(
     autocapitalize: 'off',
     wrap: 'off',
   });
-  text.value = linked ?? ownCode(id) ?? original;
+  text.value = linked?.source ?? ownCode(id) ?? original;
   const note = element('p', 'lab-code-note', { role: 'status' });
   const file = id === NEW ? words.own : `packages/scenes/src/examples/${id.replace('-', '/')}.ts`;
   note.textContent = linked === undefined ? file : words.linked;
@@ -55,7 +55,8 @@ export async function createCodePanel(
     note.textContent = line === undefined ? message : words.line(line, message);
     if (line !== undefined) selectLine(text, line);
   };
-  add(words.run, words.runHint, () => run(id, text.value, report));
+  const runText = () => run(id, text.value, linked, report);
+  add(words.run, words.runHint, runText);
   add(words.original, words.originalHint, () => {
     forgetOwnCode(id);
     history.replaceState(null, '', location.pathname + location.search);
@@ -66,7 +67,7 @@ export async function createCodePanel(
   });
   add(words.close, words.closeHint, close);
   text.addEventListener('keydown', (event) => {
-    if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) void run(id, text.value, report);
+    if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) void runText();
   });
   panel.hidden = true;
   parent.append(panel);
@@ -79,12 +80,19 @@ export async function createCodePanel(
 }
 
 /** Tries the code where it can do no harm; the page is then opened anew with it, because its parameters may differ. */
-async function run(id: string, source: string, report: (message: string, line?: number) => void): Promise<void> {
+async function run(
+  id: string,
+  source: string,
+  linked: LinkedCode | undefined,
+  report: (message: string, line?: number) => void,
+): Promise<void> {
   report(words.trying);
   try {
     await tryCode(source);
     keepOwnCode(id, source);
-    history.replaceState(null, '', location.pathname + location.search);
+    // The moment that a link names is one of the version that it brings.
+    const moment = source === linked?.source && linked.moment !== '' ? `&${linked.moment}` : '';
+    history.replaceState(null, '', location.pathname + location.search + moment);
     location.reload();
   } catch (error) {
     const { message } = error as Error;

@@ -19,9 +19,9 @@ import type { Ghosts } from './ghosts.ts';
 import { keyName } from './key-name.ts';
 import type { LabRun } from './lab-run.ts';
 import { makeGhosts } from './make-ghosts.ts';
-import { goTo, momentAddress, takeMoment } from './moment.ts';
+import { carryCode, goTo, momentAddress, momentOf, takeMoment } from './moment.ts';
 import { actOn, presenting } from './on-display.ts';
-import { linkedCode, ownCode } from './own-code.ts';
+import { codeHash, type LinkedCode, linkedCode, ownCode } from './own-code.ts';
 import { writeAddress } from './page-address.ts';
 import { takeShownPlots } from './shown-plots.ts';
 import { addLaboratoryStyles } from './styles.ts';
@@ -41,9 +41,11 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
   addLaboratoryStyles();
   followPastedLinks();
   const carried = await linkedCode(location.hash);
-  // An empty version says nothing.
-  const linked = carried || undefined;
-  const { example, problem } = await chosenVersion(entry);
+  const { example, problem, own } = await chosenVersion(entry);
+  // An empty version says nothing, and the one that runs nothing new.
+  const isNews = carried !== undefined && carried !== '' && carried !== own;
+  const linked = isNews ? { source: carried, moment: momentOf(query) } : undefined;
+  if (own !== undefined) carryCode(await codeHash(own));
   document.title = WORDS.pageTitle(example.title);
   const probe = example.start();
   const settings: Settings = settingsOf(example, probe);
@@ -87,13 +89,15 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
   await goTo(moment);
 }
 
-/** The example as the reader changed it, or as it is. */
-async function chosenVersion(entry: ExampleEntry): Promise<{ example: Example; problem: string }> {
+/** The example as the reader changed it, or as it is. `own` is the source of the former. */
+async function chosenVersion(
+  entry: ExampleEntry,
+): Promise<{ example: Example; problem: string; own?: string | undefined }> {
   const source = ownCode(entry.id);
   if (source !== undefined) {
     try {
       const { exampleFrom } = await import('./run-code.ts');
-      return { example: await exampleFrom(source), problem: '' };
+      return { example: await exampleFrom(source), problem: '', own: source };
     } catch (error) {
       return { example: await entry.load(), problem: (error as Error).message };
     }
@@ -108,7 +112,7 @@ interface CodeSwitch {
   closeBy(turnOff: () => void): void;
 }
 
-function codeSwitch(id: string, linked: string | undefined): CodeSwitch {
+function codeSwitch(id: string, linked: LinkedCode | undefined): CodeSwitch {
   let panel: Promise<CodePanel> | undefined;
   let close = () => {};
   return {

@@ -16,6 +16,20 @@ export interface Moment {
   readonly problems: readonly string[];
 }
 
+/** What follows the # in links: the reader's own code, where that runs. */
+let code = '';
+
+/** Lets links carry the code that runs, as `codeHash` writes it. */
+export function carryCode(hash: string): void {
+  code = hash;
+}
+
+/** The part of an address that names its moment, empty if none does: opening takes it out. */
+export function momentOf(query: URLSearchParams): string {
+  const own = [...query].filter(([name]) => name === 'step' || name === 'camera');
+  return new URLSearchParams(own).toString().replaceAll('%2C', ',');
+}
+
 /** Numbers of a camera: centre and height of the window, or the places of the camera and of what it looks at. */
 const CAMERA_NUMBERS = { 2: 3, 3: 6 } as const;
 /** Largest of these numbers, m. */
@@ -40,7 +54,9 @@ export function takeMoment(query: URLSearchParams, dimensions: 2 | 3): Moment {
 function isCamera(numbers: readonly number[], dimensions: 2 | 3): boolean {
   const isNear =
     numbers.length === CAMERA_NUMBERS[dimensions] && numbers.every((number) => Math.abs(number) < FARTHEST);
-  return isNear && (dimensions === 3 || numbers[2] > 0);
+  // A camera looks at another place than its own, and a window has a height.
+  const looks = dimensions === 3 ? [0, 1, 2].some((i) => numbers[i] !== numbers[i + 3]) : numbers[2] > 0;
+  return isNear && looks;
 }
 
 /** Goes to a moment of the run on display, and stops there. */
@@ -61,11 +77,16 @@ export async function goTo({ step, camera }: Moment): Promise<void> {
   }
 }
 
-/** The address of what is on display now. */
+/** Whether links can name the step that the run has reached: opening one takes all steps before. */
+export const isNameable = (): boolean => __game.state().tick <= MAX_STEPS;
+
+/** The address of what is on display now, from the start of the run where its step is too late to be named. */
 export function momentAddress(): string {
   const address = new URL(location.href);
   const { tick, plot = FIRST_PLOT } = __game.state();
-  address.searchParams.set('step', String(tick));
+  if (isNameable()) address.searchParams.set('step', String(tick));
+  else address.searchParams.delete('step');
+  if (code !== '') address.hash = code;
   if (plot === FIRST_PLOT) address.searchParams.delete('plot');
   else address.searchParams.set('plot', plot);
   writeShownPlots(address.searchParams);

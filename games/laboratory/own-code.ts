@@ -2,6 +2,12 @@
 import { packText, unpackText } from '@principia/shell';
 import { WORDS } from './words.ts';
 
+/** A version that the address carries, and the part of the address that names its moment. */
+export interface LinkedCode {
+  readonly source: string;
+  readonly moment: string;
+}
+
 const keyOf = (id: string) => `laboratory-code:${id}`;
 
 /** The version that the reader runs in this tab. */
@@ -35,8 +41,13 @@ export function forgetOwnCode(id: string): void {
 /** The address of the present page, with a version of its example. */
 export async function linkWith(source: string): Promise<string> {
   const address = new URL(location.href);
-  address.hash = `code=${await packText(source)}`;
+  address.hash = await codeHash(source);
   return address.href;
+}
+
+/** What stands after the # of an address that carries a version. */
+export async function codeHash(source: string): Promise<string> {
+  return `code=${await packText(source)}`;
 }
 
 /**

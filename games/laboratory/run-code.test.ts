@@ -46,6 +46,7 @@ const lineOf = (text: string) => source.slice(0, source.indexOf(text)).split('\n
 test.each([
   ['of the syntax', 'mass: 1, hull', 'mass: 1 hull', /Unexpected token/],
   ['of an import', "from '../define-example.ts'", "from '../nothing.ts'", /There is no module “\.\.\/nothing\.ts”/],
+  ['that the second reader finds', 'const LEVEL = 300', 'const LEVEL = await 300', /^Unexpected token$/],
   ['outside of functions', 'const LEVEL = 300', 'const LEVEL = three', /three is not defined/],
 ])('names the line of a mistake %s', async (_, from, to, message) => {
   expect(source).toContain(from);
@@ -54,9 +55,12 @@ test.each([
     (reason) => reason,
   );
   expect(error.message).toMatch(message);
-  // The line of an import is not known.
-  if (error.line !== undefined) expect(error.line).toBe(lineOf(from));
-  else expect(to).toContain('nothing');
+  expect(error.line).toBe(lineOf(from));
+});
+
+test('a module that only a comment names is not asked for', async () => {
+  const example = await exampleFrom(`// as require('fs') does\n${source}`);
+  expect(example.id).toBe('ch05-floating-ball');
 });
 
 test('wants an example', async () => {

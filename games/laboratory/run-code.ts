@@ -29,15 +29,18 @@ export async function exampleFrom(source: string): Promise<Example> {
   const modules = new Map<string, unknown>();
   for (const [, name] of script.matchAll(/require\('([^']+)'\)/g)) {
     const load = MODULES[name];
-    if (load === undefined) throw new CodeError(WORDS.code.noModule(name, Object.keys(MODULES).join(', ')), undefined);
-    modules.set(name, await load());
+    // What is only in a comment or a text is not asked for.
+    if (load !== undefined) modules.set(name, await load());
   }
-  const guarded = await guardLoops(script, GUARD);
+  const guarded = await guarding(script);
   const exported: { default?: unknown } = {};
   try {
     const run = new Function('require', 'exports', 'console', GUARD, `${guarded}\n//# sourceURL=${FILE}`);
     run(
-      (name: string) => modules.get(name),
+      (name: string) => {
+        if (modules.has(name)) return modules.get(name);
+        throw codeError(new Error(WORDS.code.noModule(name, Object.keys(MODULES).join(', '))));
+      },
       exported,
       limitedConsole((message) => codeError(new Error(message))),
       createLoopGuard((message, line) => new CodeError(message, line)),
@@ -69,6 +72,17 @@ async function withoutTypes(source: string): Promise<string> {
     const line = message.match(/\((\d+):\d+\)/)?.[1];
     const text = message.replace(/^Error transforming[^:]*: /, '').replace(/\s*\(\d+:\d+\)/, '');
     throw new CodeError(text, line === undefined ? undefined : Number(line));
+  }
+}
+
+/** The script with guarded loops. @throws CodeError for what only a browser's JavaScript refuses */
+async function guarding(script: string): Promise<string> {
+  try {
+    return await guardLoops(script, GUARD);
+  } catch (error) {
+    // Acorn names the place as “(12:5)” and by itself; lines are those of the source.
+    const { message, loc } = error as SyntaxError & { readonly loc?: { readonly line: number } };
+    throw new CodeError(message.replace(/\s*\(\d+:\d+\)$/, ''), loc?.line);
   }
 }
 

@@ -509,6 +509,27 @@ describe('the code of an example', () => {
     await ready(page);
     expect(await consoleOf(page)).toEqual([]);
   });
+
+  it('is in the link to a moment, which opens the same state once its reader runs it', async () => {
+    const page = await laboratory.open('example=new&code=on&manual');
+    await page.waitForSelector('.lab-code textarea');
+    await edit(page, "title: 'Keep it up'", "title: 'Two balls'");
+    await page.waitForFunction(() => document.title.includes('Two balls'));
+    await ready(page);
+    await steps(page, 54);
+    const { hash } = await state(page);
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.click('.lab-about button:text("Copy link")');
+    const link = new URL(await page.evaluate(() => navigator.clipboard.readText()));
+    const other = await laboratory.open(link.search.slice(1) + link.hash);
+    await other.waitForSelector('.lab-code textarea');
+    expect(await other.title()).toContain('Keep it up');
+    expect(await other.inputValue('.lab-code textarea')).toContain('Two balls');
+    await other.click('.lab-code button:text("Run")');
+    await other.waitForFunction(() => document.title.includes('Two balls'));
+    await other.waitForFunction(() => (globalThis as { __game?: typeof __game }).__game?.state().tick === 54);
+    expect((await state(other)).hash).toBe(hash);
+  });
 });
 
 it('has the words beside the picture on a phone on its side', async () => {
