@@ -106,9 +106,9 @@ test('ch10-multiple-attractors: energies between two suns, and the oscillation o
   [-18200, -12292.14, -10422.14].forEach((expected, i) => {
     expect(starts[i]).toBeCloseTo(expected, 2);
   });
-  run(flights, 3, 1e-4);
+  run(flights, 3, 2e-3);
   energies().forEach((total, i) => {
-    // Rounding of 3 × 10⁴ steps: 1.1e-16 √(3e4), some times over.
+    // What the integrator leaves is below rounding, some hundred times 1.1e-16 here.
     expect(Math.abs(total / starts[i] - 1)).toBeLessThan(1e-13);
   });
   const { world, at } = launch();

@@ -114,6 +114,8 @@ export interface ExampleSpec<Name extends string, Run extends SceneRun> {
   readonly duration: number;
   /** The run stops at the end of its duration; left out, it goes on. */
   readonly ends?: boolean;
+  /** The energy of the world stays the same with all values of the parameters, which a test tries; left out, it may change. */
+  readonly conservesEnergy?: boolean;
   readonly parameters: Readonly<Record<Name, ExampleParameter>>;
   readonly presets?: readonly ExamplePreset<Name>[];
   /** Builds the world. The result also names the bodies that picture, plots and checks refer to. */
@@ -192,6 +194,7 @@ export interface Example {
   readonly dimensions: 2 | 3;
   readonly duration: number;
   readonly ends: boolean;
+  readonly conservesEnergy: boolean;
   readonly parameters: Readonly<Record<string, ExampleParameter>>;
   readonly presets: readonly ExamplePreset<string>[];
   readonly actions: Readonly<Record<string, Pick<ExampleAction<never>, 'label' | 'about' | 'key'>>>;
@@ -204,7 +207,7 @@ export interface Example {
 
 /** Makes an example from its definition. */
 export function defineExample<Name extends string, Run extends SceneRun>(spec: ExampleSpec<Name, Run>): Example {
-  const { id, title, chapter, tags, about, dimensions = 2, duration, ends = false } = spec;
+  const { id, title, chapter, tags, about, dimensions = 2, duration, ends = false, conservesEnergy = false } = spec;
   const { parameters, presets = [], actions = {}, tryThis } = spec;
   const parts = partsOf(spec);
   const { checks, pointer } = parts;
@@ -217,6 +220,7 @@ export function defineExample<Name extends string, Run extends SceneRun>(spec: E
     dimensions,
     duration,
     ends,
+    conservesEnergy,
     parameters,
     presets,
     actions,

@@ -4,7 +4,7 @@
  */
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
-import { type Integrator, stateHash, step } from '@principia/physics';
+import { energy, type Integrator, stateHash, step } from '@principia/physics';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { motionHash } from '../../../../test/support/chaos.ts';
 import type { CheckState } from './check.ts';
@@ -82,6 +82,18 @@ function settingsOfPage({ presets, parameters }: Example) {
     ...presets.map(({ values }) => ({ values: values as Record<string, number>, isPreset: true })),
     ...ends.map((values) => ({ values, isPreset: false })),
   ];
+}
+
+/** Each slider at both ends and between, with a few of what is counted. */
+function placesOfSliders({ parameters }: Example): Record<string, number>[] {
+  const few = parameters.count?.integer ? { count: Math.max(parameters.count.min, 20) } : {};
+  const sliders = Object.entries(parameters).filter(([, { integer = false }]) => !integer);
+  return sliders.flatMap(([name, { min, max, scale }]) =>
+    [0, 0.4, 1].map((share) => {
+      const between = scale === 'log' ? min * (max / min) ** share : min + (max - min) * share;
+      return { ...few, [name]: Math.min(max, between) };
+    }),
+  );
 }
 
 /** Values of plots that are no numbers. */
@@ -180,6 +192,18 @@ describe.each(EXAMPLES.map((entry) => [entry.id, entry] as const))('%s', (id, en
     }
     warn.mockRestore();
   }, 300_000);
+
+  it('conserves its energy over its whole duration, if at all, wherever the sliders are', () => {
+    if (!example.conservesEnergy) return;
+    for (const values of placesOfSliders(example)) {
+      const run = example.start({ values });
+      const { total, potential } = energy(run.world);
+      for (let i = 0; i < example.duration / run.dt; i++) step(run.world, run.dt);
+      const change = energy(run.world).total - total;
+      expect(Math.abs(change), JSON.stringify(values)).toBeLessThan(1e-6 * Math.abs(potential));
+      expect(run.world.faults.faults).toEqual([]);
+    }
+  }, 60_000);
 
   it('takes presses on its picture without a fault, if any', () => {
     const { pointer, dimensions, actions } = example;

@@ -1,12 +1,4 @@
-import {
-  centreOfMass,
-  createPhysicsWorld,
-  momentum,
-  mutualGravity,
-  rgba,
-  rungeKutta4,
-  spawn,
-} from '@principia/physics';
+import { centreOfMass, createPhysicsWorld, gaussRadau, momentum, mutualGravity, rgba, spawn } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
 import { COLORS } from '../picture.ts';
 import { velocityArrow } from '../support/arrows.ts';
@@ -22,7 +14,7 @@ function period({ m2, v1, v2 }: Values): number {
   return 2 * Math.PI * a * Math.sqrt(a / mu);
 }
 
-/** Change of the time between two passes of the nearest point. */
+/** Change of the time between two passes of the farthest point, where the motion is slow. */
 const orbit = { label: 'Period', unit: 's', tolerance: { relative: 1e-3 } };
 
 export default defineExample({
@@ -33,16 +25,18 @@ export default defineExample({
   about:
     'The small planet is pulled by the large one, and pulls back with the same force. So both circle around their common centre of mass, the white dot, the heavy one in small circles. The centre itself moves on evenly, because nothing pulls from outside. This wobble is how astronomers find planets that nobody can see.',
   duration: 42,
+  conservesEnergy: true,
+  // At least 5 px/s are between the two, or they would fall into each other.
   parameters: {
     m2: { label: 'Mass of the red body', unit: 'kg', initial: 60, min: 1, max: 100 },
-    v1: { label: 'Velocity of the blue body', unit: 'px/s', initial: 150, min: -160, max: 200 },
-    v2: { label: 'Velocity of the red body', unit: 'px/s', initial: 0, min: -10, max: 10 },
+    v1: { label: 'Velocity of the blue body', unit: 'px/s', initial: 150, min: 10, max: 200 },
+    v2: { label: 'Velocity of the red body', unit: 'px/s', initial: 0, min: -10, max: 5 },
   },
   presets: [
     { label: 'At rest together', values: { v2: -2.5 } },
     { label: 'Equal masses', values: { m2: 1, v1: 10, v2: -10 } },
   ],
-  build({ m2, v1, v2 }: Values, { integrator = rungeKutta4 }: BuildOptions) {
+  build({ m2, v1, v2 }: Values, { integrator = gaussRadau() }: BuildOptions) {
     const world = createPhysicsWorld({ capacity: 4, forces: [mutualGravity({ G })], integrator });
     const blue = spawn(world, { position: { x: 150, y: 200 }, velocity: { y: v1 }, mass: 1, collider: 10 });
     const size = m2 === 1 ? 10 : 40;
@@ -86,7 +80,7 @@ export default defineExample({
     {
       ...orbit,
       exact: period,
-      at: { event: ({ parting }) => parting(), from: 1, to: 2 },
+      at: { event: ({ parting }) => -parting(), from: 1, to: 2 },
     },
     largest(11, 'Largest distance', { exact: 200, unit: 'px', relative: 1e-5 }, ({ distance }) => distance()),
     at(
@@ -105,7 +99,7 @@ export default defineExample({
       ...orbit,
       label: 'Period at rest together',
       exact: 5.227,
-      at: { event: ({ parting }) => parting(), from: 1, to: 2 },
+      at: { event: ({ parting }) => -parting(), from: 1, to: 2 },
       preset: 'At rest together',
     },
     at(
@@ -124,7 +118,7 @@ export default defineExample({
       ...orbit,
       label: 'Period of equal masses',
       exact: 6.25 * Math.PI,
-      at: { event: ({ parting }) => parting(), from: 1, to: 2 },
+      at: { event: ({ parting }) => -parting(), from: 1, to: 2 },
       preset: 'Equal masses',
     },
   ],

@@ -1,4 +1,4 @@
-import { attractors, createPhysicsWorld, rgba, rungeKutta4, spawn } from '@principia/physics';
+import { attractors, createPhysicsWorld, gaussRadau, rgba, spawn } from '@principia/physics';
 import type { SceneRun } from '../../scene.ts';
 import { defineExample } from '../define-example.ts';
 import { distanceBetween, positionOf, speedOf } from '../support/read.ts';
@@ -33,12 +33,13 @@ export default defineExample({
   about:
     'Two fixed suns pull at once; their forces add up. The first body starts exactly between them and only swings up and down. The others weave around both suns on paths that never repeat. Whatever they do, motion and height in the field of the suns share an energy that stays the same.',
   duration: 20,
+  conservesEnergy: true,
   parameters: {
     push: { label: 'Speed of the first body', unit: 'px/s', initial: 60, min: 10, max: 130 },
     second: { label: 'Second sun', unit: '×', initial: 1, min: 0, max: 2 },
   },
   presets: [{ label: 'The second sun is a little heavier', values: { second: 1.05 } }],
-  build({ push, second }, { integrator = rungeKutta4 }): Run {
+  build({ push, second }, { integrator = gaussRadau() }): Run {
     const world = createPhysicsWorld({ capacity: 8, forces: [attractors()], integrator });
     for (const [i, position] of SUNS.entries()) {
       const appearance = { size: 14, color: rgba(1, 0.8, 0.3) };
@@ -48,13 +49,13 @@ export default defineExample({
       const velocity = i === 0 ? { y: push } : v;
       return spawn(world, { position: at, velocity, mass: 1, appearance: { size: 6, color } });
     });
-    return { world, dt: 1 / 2000, bodies };
+    return { world, dt: 1 / 500, bodies };
   },
   picture({ bodies }) {
     return {
       yDown: true,
       view: { minX: 130, maxX: 670, minY: 120, maxY: 480 },
-      trails: bodies.map((body) => ({ body, length: 700, interval: 20 })),
+      trails: bodies.map((body) => ({ body, length: 700, interval: 5 })),
     };
   },
   plots: (plot) => [

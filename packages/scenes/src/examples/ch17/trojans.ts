@@ -3,10 +3,10 @@ import {
   attractors,
   createPhysicsWorld,
   createRandom,
+  dormandPrince,
   energy,
   log,
   rgba,
-  rungeKutta4,
   spawn,
 } from '@principia/physics';
 import { type BuildOptions, defineExample, type ValuesOf } from '../define-example.ts';
@@ -22,6 +22,8 @@ const SPIN = 2 * Math.PI;
 const GM = SPIN * SPIN;
 /** Amplitude of the yellow asteroid about L4, m. */
 const SWING = 1e-5;
+/** Nearest to the planet that asteroids start, °: what starts beside it falls onto it. */
+const GAP = 20;
 
 export default defineExample({
   id: 'ch17-trojans',
@@ -31,16 +33,24 @@ export default defineExample({
   about:
     'We turn with the sun and a planet, so that both stand still. Sixty degrees before and behind the planet are Lagrange’s points L4 and L5, where gravity and the centrifugal force cancel. They are hills, not hollows: an asteroid rolls off, the Coriolis force bends its path round, and it stays. Jupiter keeps some ten thousand Trojans so.',
   duration: 60,
+  conservesEnergy: true,
   parameters: {
     ratio: { label: 'Planet’s share', initial: 9.54e-4, min: 1e-4, max: 0.06, scale: 'log' },
     count: { label: 'Asteroids', initial: 200, min: 2, max: 1000, integer: true },
-    spread: { label: 'Start within', unit: '°', initial: 25, min: 1, max: 110 },
+    spread: {
+      label: 'Start within',
+      unit: '°',
+      initial: 25,
+      min: 1,
+      max: 110,
+      about: `To both sides of the corner, but at least ${GAP}° from the planet`,
+    },
   },
   presets: [
     { label: 'Horseshoes', values: { spread: 110 } },
     { label: 'A planet just too heavy', values: { ratio: 0.05, spread: 5 } },
   ],
-  build({ ratio, count, spread }: Values, { seed, integrator = rungeKutta4 }: BuildOptions) {
+  build({ ratio, count, spread }: Values, { seed, integrator = dormandPrince() }: BuildOptions) {
     const world = createPhysicsWorld({ capacity: 1010, forces: [attractors(), rotatingFrame(SPIN)], integrator });
     const [sun, planet] = [
       { x: -ratio, y: 0 },
@@ -50,7 +60,7 @@ export default defineExample({
     spawn(world, { position: planet, attractor: GM * ratio, appearance: { size: 0.03, color: rgba(0.9, 0.6, 0.45) } });
     const random = createRandom(seed);
     const asteroids = Array.from({ length: count }, (_, i) => {
-      const angle = (60 + random.uniform(-spread, spread)) * (i % 2 === 0 ? 1 : -1);
+      const angle = (60 + random.uniform(Math.max(-spread, GAP - 60), spread)) * (i % 2 === 0 ? 1 : -1);
       const [place] = star(1, random.gaussian(1, 0.003), (angle * Math.PI) / 180);
       return spawn(world, {
         position: { x: sun.x + place.x, y: place.y },
