@@ -58,7 +58,7 @@ export default defineExample({
     const world = createPhysicsWorld({ capacity: 4, forces, ...options });
     const position = { x: 50 };
     const plane = spawn(world, { position, mass: 1, thrust: { x: push }, quadraticDrag: DRAG, lift: wing });
-    return { world, dt: 1 / 60, plane };
+    return { world, dt: 1 / 240, plane };
   },
   picture({ world, plane }, { push, wing }) {
     const at = (offset: Point) => () => {
@@ -76,7 +76,7 @@ export default defineExample({
         { shape: { minX: -1000, maxX: 2000, minY: -1000, maxY: -1 }, color: COLORS.ground },
       ],
       lines: OUTLINE.map(([from, to, width]) => ({ from: at(from), to: at(to), width, color: COLORS.white })),
-      trails: [{ body: plane, length: 900 }],
+      trails: [{ body: plane, length: 900, interval: 4 }],
       arrows: [
         forceArrow(world, plane, 'weight', () => ({ x: 0, y: -GRAVITY }), 3),
         { ...forceArrow(world, plane, 'lift', wings, 3), color: COLORS.violet },

@@ -35,7 +35,7 @@ export default defineExample({
     const at = { x: CENTRE - AMPLITUDE, y: 250 };
     const ball = spawn(world, { position: at, mass: 1, collider: 20, linearDrag: damping });
     spawn(world, { spring: { a: wall, b: ball, stiffness } });
-    return { world, dt: 1 / 60, ball };
+    return { world, dt: 1 / 120, ball };
   },
   picture({ world, ball }, values) {
     const at = () => positionOf(world, ball);

@@ -131,7 +131,7 @@ export default defineExample({
     at(
       AFTER,
       'Speed of the corner after it, e times that before',
-      { exact: ({ restitution }) => restitution * SPEED, holds: isThrown, unit: 'm/s', relative: 1e-3 },
+      { exact: ({ restitution }) => restitution * SPEED, holds: isThrown, unit: 'm/s', absolute: 3e-4 * SPEED },
       ({ world, block, spin }) => velocityOf(world, block).y + GRAVITY * (world.time - TIME) + Math.abs(spin()) * ASIDE,
     ),
     largest(30, 'Most energy gained at any time', { exact: 0, unit: 'J', absolute: 1e-3 }, ({ gained }) => gained()),

@@ -26,7 +26,7 @@ export const ENCOUNTER_PARAMETERS = {
   m1: { label: 'Mass of the left ball', unit: 'kg', initial: 1, min: 0.1, max: 200, scale: 'log' },
   m2: { label: 'Mass of the right ball', unit: 'kg', initial: 125, min: 0.1, max: 200, scale: 'log' },
   u1: { label: 'Velocity of the left ball', unit: 'px/s', initial: 250, min: 100, max: 300 },
-  u2: { label: 'Velocity of the right ball', unit: 'px/s', initial: 50, min: -100, max: 90 },
+  u2: { label: 'Velocity of the right ball', unit: 'px/s', initial: 50, min: -100, max: 60 },
 } as const;
 
 /** Velocity of a ball of mass m₁ after it met one of m₂: (m₁ u₁ + m₂ u₂ + m₂ e (u₂ − u₁))/(m₁ + m₂). */
