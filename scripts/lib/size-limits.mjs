@@ -34,7 +34,7 @@ export const bundles = [
     name: 'rigid bodies in 2D',
     title: 'rigid bodies in 2D: shapes, joints, events, queries, walls',
     imports: rigid,
-    limits: [224, 151.2],
+    limits: [224.3, 151.4],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [379.7, 269.4] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [380.1, 269.6] },
 ];
