@@ -4,6 +4,7 @@ import {
   COMBINE,
   contactEvents,
   restore,
+  sensorEvents,
   snapshot,
   softStep,
   spawn,
@@ -85,12 +86,29 @@ describe('the function of the user', () => {
     expect(() => softStep({ shouldCollide: 3 as never })).toThrow(refused('E_TYPE'));
   });
 
-  it('lets fast bodies through as well', () => {
-    const world = rigidWorld({ forces: [], integrator: softStep({ shouldCollide: () => false }) });
-    spawn(world, { position: {}, collider: { shape: box(0.1, 10) } });
-    const ball = spawn(world, { position: { x: -0.2 }, velocity: { x: 300 }, collider: { radius: 0.1, density: 1 } });
-    run(world, 0.1);
-    expect(world.components.Position.x[ball]).toBeGreaterThan(20);
+  it.each([0.2, 2, 4.9, 31])(
+    'lets a fast body through that begins %d m in front of a wall, without a halt',
+    (distance) => {
+      const world = rigidWorld({ forces: [], integrator: softStep({ shouldCollide: () => false }) });
+      spawn(world, { position: {}, collider: { shape: box(0.1, 10) } });
+      const position = { x: -distance };
+      const ball = spawn(world, { position, velocity: { x: 300 }, collider: { radius: 0.1, density: 1 } });
+      run(world, 0.2);
+      expect(world.components.Position.x[ball]).toBeCloseTo(60 - distance, 6);
+    },
+  );
+
+  it('keeps a sensor from what it names, also where that is fast, and holds when it is no sensor any more', () => {
+    const world = rigidWorld({ forces: [], integrator: softStep({ shouldCollide: (_, a) => a !== 1 }) });
+    const area = spawn(world, { position: {}, collider: { shape: box(2, 10), sensor: true } });
+    const slow = spawn(world, { position: { x: -0.9 }, velocity: { x: 1 }, collider: { radius: 0.2, density: 1 } });
+    spawn(world, { position: { x: -2, y: 2 }, velocity: { x: 300 }, collider: { radius: 0.1, density: 1 } });
+    for (let i = 0; i < 120; i++) {
+      if (i === 60) world.components.Collider.sensor[area] = 0;
+      step(world, DT);
+      expect(sensorEvents(world).begin.count).toBe(0);
+    }
+    expect(world.components.Position.x[slow]).toBeCloseTo(1.1, 3);
   });
 
   it('keeps what it said over a snapshot', () => {

@@ -7,6 +7,7 @@ import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
 import { nextLeaf, nodeAt } from '../../collision/broad-phase/2d/box-tree';
 import { Distance, closestPoints } from '../../collision/narrow-phase/2d/distance';
+import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { RelativePose, setRelative } from '../../collision/narrow-phase/2d/relative-pose';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import { ASLEEP, COLLIDES, MOVES, SENSOR, flagsOf, poseOf, stateOf, word } from './body';
@@ -45,6 +46,7 @@ function passInTree(t: RigidTable, nodes: usize, count: i32, row: i32, shape: Sh
     const sensor = nodeAt(nodes, i).row;
     if ((flagsOf(t, sensor) & SENSOR) == 0 || !stays(t, sensor) || !filtersMeet(t, row, sensor)) continue;
     if (areJoined(t, bodyOf(t, row), bodyOf(t, sensor))) continue;
+    if (t.asksUser != 0 && isIgnored(t, row, sensor)) continue;
     if (!passes(t, sensor, shape)) continue;
     noteSensorBegin(t, sensor, row);
     noteSensorEnd(t, sensor, row);

@@ -108,18 +108,20 @@ export function updateBoxes(t: RigidTable): void {
 
 // The box of what flies reaches as far as it may move in this step, where that is further than its margin: contacts see it
 // coming (far-points.ts). What touched something in the last step is left out, for the margins of heaps that move would be
-// filled with pairs, and so is what moves by more than a few times its extent, whose box would be in the way of all others.
+// filled with pairs, and so is what moves by more than a few times its extent, whose box would be in the way of all others. A function
+// of the user must have been asked about whatever may stop the body in this step (solver/2d/continuous.ts), and so none is left out.
 function addMotion(t: RigidTable, row: i32): void {
   const body = bodyOf(t, row);
-  if (word(t.usedColors, body) != 0) return;
+  const asks = t.asksUser != 0;
+  if (!asks && word(t.usedColors, body) != 0) return;
   const state = stateOf(t, body);
   const extent = poseOf(t, body).extent;
   const x = <real>t.dt * state.vx;
   const y = <real>t.dt * state.vy;
   const turn = <real>t.dt * abs<real>(state.w) * extent;
   const path = sqrt<real>(x * x + y * y) + turn;
-  if (path <= min<real>(SPECULATIVE_DISTANCE, MARGIN_FRACTION * extent) || path > mostExtents(flagsOf(t, row)) * extent)
-    return;
+  if (path <= min<real>(SPECULATIVE_DISTANCE, MARGIN_FRACTION * extent)) return;
+  if (!asks && path > mostExtents(flagsOf(t, row)) * extent) return;
   tight.minX += min<real>(0, x - turn);
   tight.minY += min<real>(0, y - turn);
   tight.maxX += max<real>(0, x + turn);

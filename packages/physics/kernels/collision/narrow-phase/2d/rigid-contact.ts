@@ -77,7 +77,7 @@ const POINT: usize = 14 * sizeof<real>();
 //   PASSING                    a step; while the shapes meet it follows from that of the step before
 //   SENSES, SENSOR_IS_B        as long as the same shape is a sensor; of the others only FOUND and the next two go with them
 //   OVERLAPS, DID_OVERLAP      a step; the second is the first of the step before
-//   IGNORED                    as long as the contact, unless it senses
+//   IGNORED                    as long as the contact
 //   COVERED                    a step
 //   IS_DEEP                    until the depth of the contact is looked at again
 //   FORESEEN, FAST_POINT       a step

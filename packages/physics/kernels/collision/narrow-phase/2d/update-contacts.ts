@@ -214,8 +214,9 @@ function updateContact(t: RigidTable, contact: RigidContact): bool {
   const flagsB = flagsOf(t, contact.b);
   const sensing = ((flagsA | flagsB) & SENSOR) != 0 ? sensorFlags(t, contact) : 0;
   if ((contact.flags & (SENSES | SENSOR_IS_B)) != sensing) changeKind(t, contact, sensing);
-  if ((contact.flags & (SENSES | IGNORED)) != 0) {
-    if ((contact.flags & SENSES) != 0) updateSensor(t, contact, isActive(flagsA) || isActive(flagsB));
+  if ((contact.flags & IGNORED) != 0) return false;
+  if ((contact.flags & SENSES) != 0) {
+    updateSensor(t, contact, isActive(flagsA) || isActive(flagsB));
     return false;
   }
   const touched = (contact.flags & TOUCHING) != 0;
