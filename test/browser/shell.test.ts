@@ -4,6 +4,10 @@ import { PNG } from 'pngjs';
 import { describe, expect, it } from 'vitest';
 import { body, frames, loseGraphicsCard, playGame, ready, state, steps } from '../support/game-page.ts';
 
+declare global {
+  var pictures: number;
+}
+
 const { open: openBalls } = playGame('bouncing-balls', {
   viewport: { width: 900, height: 700 },
   acceptDownloads: true,
@@ -21,6 +25,45 @@ async function contentOf(download: Download): Promise<Buffer> {
   for await (const piece of stream) pieces.push(piece as Buffer);
   return Buffer.concat(pieces);
 }
+
+/** Counts in `pictures` the frames in which anything is drawn. */
+const countPictures = () => {
+  let isDrawn = false;
+  globalThis.pictures = 0;
+  for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'] as const) {
+    const draw = WebGL2RenderingContext.prototype[name] as (...values: number[]) => void;
+    WebGL2RenderingContext.prototype[name] = function (this: WebGL2RenderingContext, ...values: number[]) {
+      isDrawn = true;
+      draw.apply(this, values);
+    };
+  }
+  const look = () => {
+    if (isDrawn) globalThis.pictures++;
+    isDrawn = false;
+    requestAnimationFrame(look);
+  };
+  look();
+};
+
+describe('a paused game', () => {
+  it('draws a few pictures a second, and one at once when the player does something', async () => {
+    const page = await open('', { prepare: countPictures });
+    const pictures = () => page.evaluate(() => globalThis.pictures);
+    await page.waitForFunction(() => globalThis.pictures > 5);
+    await page.keyboard.press(' ');
+    expect((await state(page)).paused).toBe(true);
+    await page.waitForTimeout(2000);
+    const before = await pictures();
+    await page.waitForTimeout(2000);
+    const after = await pictures();
+    // Four a second, and room for what a timer of a busy machine is late.
+    expect(after - before).toBeLessThanOrEqual(12);
+    expect(after - before).toBeGreaterThan(0);
+    await page.mouse.move(300, 300);
+    await frames(page);
+    expect(await pictures()).toBeGreaterThan(after);
+  });
+});
 
 describe('time', () => {
   it('runs backwards while B is held, over bits that were there before, and forwards when it is let go', async () => {
