@@ -32,6 +32,17 @@ export function warnAboutImpulse(world: PhysicsWorld, body: number): void {
   warnOnce(world, warning, 'impulse without effect');
 }
 
+/** Warns about a body that is moved as a pin, and that forces, springs and contacts move as well. */
+export function warnAboutFreePin(world: PhysicsWorld, body: number): void {
+  const mass = world.components.Mass.value[body];
+  if (!(mass > 0 && mass < Infinity) || isKinematic(world, body)) return;
+  const warning = {
+    message: `movePin gave body ${body} a velocity, but it is not pinned: forces, springs and contacts change that velocity.`,
+    hint: 'Call pin(world, node) once before, or give the body `kinematic: {}`.',
+  };
+  warnOnce(world, warning, 'pin that is free');
+}
+
 /** Warns about the id of a body in the place of a reference, which no reference is. */
 export function warnAboutDeadRef(world: PhysicsWorld, ref: number): void {
   if (!(ref <= world.capacity) || (world.internal.members[ref] & bitOf('Position')) === 0) return;

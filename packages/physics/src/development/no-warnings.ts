@@ -5,6 +5,7 @@ export const printWarning: typeof warnings.printWarning = () => {};
 export const notePartRemoved: typeof warnings.notePartRemoved = () => {};
 export const warnAboutDeadRef: typeof warnings.warnAboutDeadRef = () => {};
 export const warnAboutImpulse: typeof warnings.warnAboutImpulse = () => {};
+export const warnAboutFreePin: typeof warnings.warnAboutFreePin = () => {};
 export const warnAboutColumns: typeof warnings.warnAboutColumns = () => {};
 export const warnAboutFaults: typeof warnings.warnAboutFaults = () => {};
 export const warnAboutColor: typeof warnings.warnAboutColor = () => {};

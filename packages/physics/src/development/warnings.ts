@@ -13,7 +13,7 @@ import { warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
 import { warnAboutPotentials } from './potential-warnings.ts';
 import { warnAboutSchemes } from './scheme-warnings.ts';
 
-export { notePartRemoved, warnAboutDeadRef, warnAboutImpulse } from './body-warnings.ts';
+export { notePartRemoved, warnAboutDeadRef, warnAboutFreePin, warnAboutImpulse } from './body-warnings.ts';
 export { warnAboutJoint } from './joint-warnings.ts';
 
 /** The default of `world.onWarning`. */

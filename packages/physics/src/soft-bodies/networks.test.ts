@@ -1,5 +1,6 @@
 import { observe, onAdd } from 'bitecs';
 import { describe, expect, test } from 'vitest';
+import { warnedWorld } from '../../../../test/support/warned-world.ts';
 import { spawn } from '../bodies/spawn.ts';
 import { angularMomentum, energy, momentum } from '../diagnostics/energy.ts';
 import { stateHash } from '../diagnostics/hash.ts';
@@ -257,6 +258,21 @@ describe('a cloth', () => {
     expect(Position.y[corner]).toBeLessThan(0.05);
     expect(Position.y[cloth.at(0, 0)]).toBe(0);
   });
+});
+
+test('movePin warns of what is not pinned, once', () => {
+  const { world, messages } = warnedWorld();
+  const still = spawn(world, { position: {}, velocity: {}, mass: 1 });
+  const lift = spawn(world, { position: {}, velocity: {}, mass: 1, kinematic: {} });
+  const wall = spawn(world, { position: {}, velocity: {} });
+  pin(world, still);
+  for (const id of [still, lift, wall]) movePin(world, id, { x: 1 }, 0.1);
+  expect(messages()).toBe('');
+  unpin(world, still, 1);
+  for (let i = 0; i < 3; i++) movePin(world, still, { x: 1 }, 0.1);
+  expect(messages()).toBe(
+    `movePin gave body ${still} a velocity, but it is not pinned: forces, springs and contacts change that velocity.`,
+  );
 });
 
 describe('a soft body', () => {

@@ -1,5 +1,6 @@
 // Pins: a pinned node has no finite mass, so only its velocity moves it, not forces or constraints.
 import { addComponent, set } from 'bitecs';
+import { warnAboutFreePin } from '#warnings';
 import { assertBody } from '../ecs/entity-ref.ts';
 import { checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -26,7 +27,7 @@ export function unpin(world: PhysicsWorld, node: number, mass: number): void {
 }
 
 /**
- * Sets the velocity of a pinned node so that it reaches `to` within the next `dt` seconds. Call it before every step
+ * Sets the velocity of a pinned node, or of a kinematic body, so that it reaches `to` within the next `dt` seconds. Call it before every step
  * of the motion; `pin` stops the node.
  * @throws PhysicsError E_STALE, E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN, E_DESTROYED
  */
@@ -34,6 +35,7 @@ export function movePin(world: PhysicsWorld, node: number, to: VectorInput, dt: 
   assertBody(world, node);
   const { x, y, z } = checkVector(to, 'movePin: to');
   checkNumber(dt, 'movePin: dt', { above: 0 });
+  warnAboutFreePin(world, node);
   const { Position, Velocity } = world.components;
   const velocity = {
     x: (x - Position.x[node]) / dt,
