@@ -72,7 +72,11 @@ export function fieldScale(w: NBody, inverseSquare: bool): real {
     const dz = <f64>(load<real>(p + 2 * REAL) - boxZ);
     const d2 = dx * dx + dy * dy + dz * dz;
     const near2 = <f64>load<real>(p + NEAR2);
-    if (next == node + 1 || (d2 > near2 && !containsGroup(link))) {
+    const isLeaf = next == node + 1;
+    if (isLeaf && corner2 == 0 && containsGroup(link)) {
+      // A body alone, or several in one place, have no field there. The centre of their cell may be rounded away from them.
+      node = next;
+    } else if (isLeaf || (d2 > near2 && !containsGroup(link))) {
       const u = max<f64>(d2 + near2, corner2);
       const k = <f64>load<real>(p + 3 * REAL) / (inverseSquare ? u * sqrt<f64>(u) : u);
       ax += k * dx;

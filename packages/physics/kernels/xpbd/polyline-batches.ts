@@ -327,7 +327,8 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
   let sy = zero;
   let sz = zero;
   let above = zero;
-  let coefficient = zero;
+  // 1 less the coefficient of the row above. As a difference it would be lost for rods without length, whose terms are of the order 10¹⁸.
+  let left = one;
   for (; node != end; node = after(node)) {
     const w = node.inverseMass;
     const underTension = v128.and(taut, v128.gt<real>(node.impulseOverLength, zero));
@@ -338,22 +339,23 @@ function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v12
     const y = mul(scaled, node.ry);
     const z = mul(scaled, node.rz);
     const from = mul(w, above);
-    const inversePivot = div(one, sub(add(add(one, from), mul(w, g)), mul(from, coefficient)));
+    const own = add(one, mul(from, left));
+    const inversePivot = div(one, add(own, mul(w, g)));
     sx = mul(add(mul(w, sub(x, fx)), mul(from, sx)), inversePivot);
     sy = mul(add(mul(w, sub(y, fy)), mul(from, sy)), inversePivot);
     sz = mul(add(mul(w, sub(z, fz)), mul(from, sz)), inversePivot);
-    coefficient = mul(mul(w, g), inversePivot);
+    left = mul(own, inversePivot);
     above = g;
     fx = x;
     fy = y;
     fz = z;
-    node.upper = coefficient;
+    node.upper = mul(mul(w, g), inversePivot);
     node.rx = sx;
     node.ry = sy;
     node.rz = sz;
   }
   const from = mul(node.inverseMass, above);
-  const inversePivot = div(one, sub(add(one, from), mul(from, coefficient)));
+  const inversePivot = div(one, add(one, mul(from, left)));
   sx = mul(sub(mul(from, sx), mul(node.inverseMass, fx)), inversePivot);
   sy = mul(sub(mul(from, sy), mul(node.inverseMass, fy)), inversePivot);
   sz = mul(sub(mul(from, sz), mul(node.inverseMass, fz)), inversePivot);

@@ -161,6 +161,28 @@ describe('the error of the tree', () => {
   });
 });
 
+test('what a body alone far from all others feels does not depend on its own mass', () => {
+  const count = 4000;
+  const made = cloud('uniform', count + 1, 3);
+  const positive = (column: Float64Array, to: number) => column.set(column.map((value) => 0.5 * to * (1 + value)));
+  positive(made.x, 0.49);
+  positive(made.y, 0.9);
+  positive(made.z, 0.9);
+  made.mass.fill(1);
+  // The half of the first cell in which nothing else is.
+  [made.x[count], made.y[count], made.z[count]] = [0.505, 0.41, 0.47];
+  const felt = [1, 1.1, 1.3, 1.7, 0.3, 0.7].map((mass) => {
+    made.mass[count] = mass;
+    return accelerations(worldOf(gravityTree({ relativeError: 1e-3 }), made)).at(-1) as number[];
+  });
+  const [first = []] = felt;
+  const size = Math.hypot(...first);
+  for (const other of felt) {
+    // Another mass may change the cells that are accepted, within the error.
+    expect(Math.hypot(...other.map((value, i) => value - (first[i] as number))) / size).toBeLessThan(1e-3);
+  }
+});
+
 describe('the tree', () => {
   test('costs N log N', () => {
     const pairs = [2000, 4000, 8000, 16_000, 32_000].map((count) => {

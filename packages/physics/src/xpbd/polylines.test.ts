@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { spawn } from '../bodies/spawn.ts';
 import { energy, momentum } from '../diagnostics/energy.ts';
 import { springs } from '../forces/springs.ts';
 import { uniformGravity } from '../forces/uniform-gravity.ts';
@@ -36,6 +37,37 @@ describe('polylines', () => {
       expect(Math.abs(y[foot] + 0.05 * (rows - 1))).toBeLessThan(1e-5);
       expect(Math.hypot(x[foot] - 0.05 * column, z[foot])).toBeLessThan(1e-5);
     }
+  });
+
+  test.each([
+    ['f32', 0],
+    ['f32', 0.001],
+    ['f64', 0],
+    ['f64', 0.001],
+  ] as const)('of ropes that branch hold rods without length, in %s, which begin %d m long', (precision, apart) => {
+    const world = createPhysicsWorld({
+      dimensions: 3,
+      precision,
+      integrator: xpbd({ substeps: 4, iterations: 2 }),
+      forces: [uniformGravity(), springs()],
+      capacity: 50,
+    });
+    const { x, y, z } = world.components.Position;
+    const node = (at: number, mass: number, height = 0) =>
+      spawn(world, { position: { x: at, y: height }, velocity: {}, mass });
+    const rod = (a: number, b: number, length: number) =>
+      spawn(world, { spring: { a, b, length, stiffness: Infinity } });
+    const rope = Array.from({ length: 8 }, (_, i) => node(0.1 * i, i === 0 ? Infinity : 0.1));
+    for (let i = 1; i < rope.length; i++) rod(rope[i - 1] as number, rope[i] as number, 0.1);
+    const [end, second] = [rope.at(-1) as number, rope[1] as number];
+    const bag = node(0.7 + apart, 1);
+    rod(end, bag, 0);
+    rod(second, node(0.1, 0.1, 0.1), 0.1);
+    for (let s = 0; s < 300; s++) step(world, 1 / 60);
+    expect(world.faults.faults).toEqual([]);
+    expect(Math.hypot(x[end] - x[bag], y[end] - y[bag], z[end] - z[bag])).toBeLessThan(0.001);
+    // It hangs at its length.
+    expect(Math.hypot(x[end], y[end], z[end])).toBeLessThan(0.7001);
   });
 
   test('damp transverse waves at any tension', () => {
