@@ -73,6 +73,8 @@ const TOLERANCE: f64 = 1e-3;
 const ROUNDING_TOLERANCE: f64 = 1e-5;
 // The maximum number of times that rows are held or let loose in a solve of the velocities.
 const MAX_HOLDS: i32 = 12;
+// The sum of squares of the angles at which the links of a chain between anchors meet, below which it is nearly straight.
+const NEARLY_STRAIGHT: f64 = 1e-3;
 
 // Solves every chain to the precision of `real`. A chain that turns too sharply within the sub-step is solved as a
 // taut chain, and if that does not converge, as with heavy loads on light nodes, by its dual, unless its anchors are too
@@ -276,15 +278,15 @@ function applyChanges(t: ConstraintTable, first: i32, last: i32): void {
 // from the rates before the solve: those of a hanging string fall alike, and are held up by the first. So all taut rows
 // are held at first, and the solve is repeated while one pushes, or one that was let loose for it extends (the
 // primal-dual active set method). Source: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13, 865 (2002).
-export function solveChainVelocities(table: usize): void {
+export function solveChainVelocities(table: usize, h: f64): void {
   const t = tableAt(table);
   for (let chain = 0; chain < t.chainCount; chain++) {
     const first = <i32>word(t.chains, chain);
     const last = <i32>word(t.chains, chain + 1);
     const hasStrings = assembleVelocities(t, first, last);
-    solveImpulses(t, first, last);
+    solveImpulses(t, first, last, h);
     if (hasStrings) {
-      for (let i = 0; i < MAX_HOLDS && changeHolds(t, first, last); i++) solveImpulses(t, first, last);
+      for (let i = 0; i < MAX_HOLDS && changeHolds(t, first, last); i++) solveImpulses(t, first, last, h);
     }
     applyImpulses(t, first, last);
   }
@@ -316,15 +318,31 @@ function assembleVelocities(t: ConstraintTable, first: i32, last: i32): bool {
 }
 
 // Computes the impulses of the rows that are held.
-function solveImpulses(t: ConstraintTable, first: i32, last: i32): void {
+function solveImpulses(t: ConstraintTable, first: i32, last: i32, h: f64): void {
   let before = changetype<Link>(0);
+  // Whether all rows since the last anchor are held.
+  let hangs = false;
   for (let row = first; row < last; row++) {
     const link = linkOf(t, row);
+    const wa = <f64>packedComponent(packedAt(t, word(t.a, row)), 3);
     link.active = link.hold == HELD ? 1 : 0;
-    eliminateRow(link, before, <f64>packedComponent(packedAt(t, word(t.a, row)), 3), link.diagonal, link.rate);
+    hangs = link.active > 0 && (hangs || wa == 0);
+    eliminateRow(link, before, wa, link.diagonal, link.rate);
+    if (hangs && wa == link.diagonal) dropIfStraight(link, before, abs<f64>(<f64>get(t.length, row)), h);
     before = link;
   }
   substitute(t, first, last);
+}
+
+// With an angle f between its links, a chain whose anchors move apart at u swings at u / f, and is straight when it has moved by f times a
+// link. What would be so within the sub-step gets no such speed, which would be 10⁵ m/s where rounding alone bends the links: the
+// positions are solved, and the row that ends at the anchor is as redundant as that of a straight chain.
+// @ts-ignore: decorator
+@inline function dropIfStraight(link: Link, before: Link, length: f64, h: f64): void {
+  if (link.active == 0 || link.pivot > NEARLY_STRAIGHT * link.diagonal) return;
+  if (2 * h * link.diagonal * abs<f64>(link.rhs) < length) return;
+  link.active = 0;
+  if (changetype<usize>(before) != 0) before.upper = 0;
 }
 
 // Lets rows loose that would push, and holds loose ones that would extend. Returns whether there were any.

@@ -125,7 +125,7 @@ function subStep(
   evaluate(world, ranges, evaluateForces, end);
   kick(world, ranges, h / 2);
   if (springs !== undefined) kickNodes(world, springs, -h / 2, 0);
-  if (rods !== undefined) constraintKernels(world).solveChainVelocities(rods.at);
+  if (rods !== undefined) constraintKernels(world).solveChainVelocities(rods.at, h);
 }
 
 /**
