@@ -156,8 +156,7 @@ function batchExceedsTolerance(t: ConstraintTable, first: i32, last: i32): bool 
   return v128.any_true(exceeding);
 }
 
-// Solves the polylines of a batch whose bits are set in `mask`. Returns those whose rotation made lengths exceed the
-// tolerance.
+// Solves the polylines of a batch whose bits are set in `mask`. Returns those whose rotation made lengths exceed the tolerance.
 function solveBatch(t: ConstraintTable, first: i32, last: i32, mask: v128): v128 {
   eliminate(t, first, last);
   const taut = substitute(t, first, last, mask);
@@ -313,8 +312,7 @@ function moveAlongRows(t: ConstraintTable, first: i32, last: i32): void {
   scatter(packed, lastIds, sub(node.x, mul(w, fx)), sub(node.y, mul(w, fy)), sub(node.z, mul(w, fz)), w);
 }
 
-// Moves the bodies by impulses that turn with the rows of taut polylines. Returns the taut ones that exceed the
-// tolerance.
+// Moves the bodies by impulses that turn with the rows of taut polylines. Returns the taut ones that exceed the tolerance.
 function moveTurning(t: ConstraintTable, first: i32, last: i32, taut: v128): v128 {
   const zero = splat(0);
   const one = splat(1);
