@@ -301,7 +301,7 @@ describe('the page of an example', () => {
 
   it('brings back in a link which plots are open, and what the plot of the reader shows', async () => {
     const page = await laboratory.open('example=ch08-damped&manual');
-    await steps(page, 30);
+    await steps(page, 60);
     const charts = page.locator('.lab-plot');
     await charts.nth(0).locator('button:text("Error")').click();
     await charts.nth(1).locator('.lab-fold').click();
@@ -319,7 +319,7 @@ describe('the page of an example', () => {
     expect(links[1]).toBe(links[0]);
     expect(links[0]).toContain('plot=Velocity.x,Position.x,2&folded=2&errors=1');
     const other = await laboratory.open(new URL(links[0]).search.slice(1));
-    await other.waitForFunction(() => __game.state().tick === 30);
+    await other.waitForFunction(() => __game.state().tick === 60);
     expect(await state(other)).toMatchObject({ banner: '', plot: 'Velocity.x,Position.x,2' });
     const same = other.locator('.lab-plot');
     expect(await same.nth(0).locator('button:text("Error")').getAttribute('aria-pressed')).toBe('true');
