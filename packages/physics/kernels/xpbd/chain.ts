@@ -66,8 +66,7 @@ const SLACK: f64 = -1;
   return changetype<Link>(t.scratch + <usize>row * LINK_BYTES);
 }
 
-// The maximum number of Newton iterations, and the relative length errors that count as solved and as stalled by
-// rounding.
+// The maximum number of Newton iterations, and the relative length errors that count as solved and as stalled by rounding.
 const MAX_NEWTON_ITERATIONS: i32 = 12;
 const TOLERANCE: f64 = 1e-3;
 const ROUNDING_TOLERANCE: f64 = 1e-5;
@@ -172,13 +171,16 @@ function eliminate(t: ConstraintTable, first: i32, last: i32, turnsSharply: bool
     right -= lower * before.rhs;
   }
   // A straight chain between two anchors is overdetermined: one of its rows is redundant.
-  if (!(pivot > 1e-12 * diagonal)) {
-    link.active = 0;
-    if (changetype<usize>(before) != 0) before.upper = 0;
-    return;
-  }
+  if (!(pivot > 1e-12 * diagonal)) return dropRow(link, before);
   link.pivot = pivot;
   link.rhs = right / pivot;
+}
+
+// Leaves a redundant row out.
+// @ts-ignore: decorator
+@inline function dropRow(link: Link, before: Link): void {
+  link.active = 0;
+  if (changetype<usize>(before) != 0) before.upper = 0;
 }
 
 // The cosine between a direction now and one at the start of the sub-step.
@@ -341,8 +343,7 @@ function solveImpulses(t: ConstraintTable, first: i32, last: i32, h: f64): void 
 @inline function dropIfStraight(link: Link, before: Link, length: f64, h: f64): void {
   if (link.active == 0 || link.pivot > NEARLY_STRAIGHT * link.diagonal) return;
   if (2 * h * link.diagonal * abs<f64>(link.rhs) < length) return;
-  link.active = 0;
-  if (changetype<usize>(before) != 0) before.upper = 0;
+  dropRow(link, before);
 }
 
 // Lets rows loose that would push, and holds loose ones that would extend. Returns whether there were any.
