@@ -62,6 +62,8 @@ export const Joint = defineComponent({
     dampingRatio: real('', { initial: 1, bounds: { min: 0, max: 1000 } }),
     /** Largest force of the spring of a distance joint, and of a motor joint. */
     maxForce: real('N', { initial: 1e30, bounds: { min: 0, max: 1e30 } }),
+    /** Largest force with which the spring of a distance joint pushes; with 0 it is an elastic cord, which only pulls. */
+    maxCompression: real('N', { initial: 1e30, bounds: { min: 0, max: 1e30 } }),
     /** Speed that the motor keeps, m/s or rad/s. */
     motorSpeed: real('', { bounds: { min: -1e9, max: 1e9 } }),
     /** Largest force, N, or torque, N m, of the motor; 0 for none. */

@@ -1,11 +1,11 @@
 import type { VectorInput } from '../errors/validate.ts';
 import {
+  type DistanceSpring,
   describeJoint,
   type JointInput,
   type JointLimits,
   type JointMotor,
   type JointOptions,
-  type JointSpring,
 } from './joint-input.ts';
 
 export interface DistanceOptions extends JointOptions {
@@ -16,7 +16,7 @@ export interface DistanceOptions extends JointOptions {
   /** Length, m; default the distance of the points now. */
   readonly length?: number;
   /** With a spring the length is that at rest; without spring, limits and motor it is fixed. Default none. */
-  readonly spring?: JointSpring;
+  readonly spring?: DistanceSpring;
   /** Bounds of the distance, m: `{ upper: 2 }` is a rope. Default none, with a motor that of no length. */
   readonly limits?: JointLimits;
   /** Speed at which it grows, m/s, and largest force, N. Default none. */

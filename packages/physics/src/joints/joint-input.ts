@@ -17,8 +17,14 @@ export interface JointSpring {
   readonly hertz: number;
   /** 1 is critical; default 1. */
   readonly dampingRatio?: number;
-  /** Largest force of the spring of a distance joint, N; default any. */
+}
+
+/** The spring of a distance joint. */
+export interface DistanceSpring extends JointSpring {
+  /** Largest force, N; default any. */
   readonly maxForce?: number;
+  /** Largest force with which it pushes, N; default `maxForce`. With 0 it is an elastic cord: it only pulls, and hangs slack when shorter. */
+  readonly maxCompression?: number;
 }
 
 /** A motor along the free coordinate. */
@@ -84,7 +90,7 @@ interface AllOptions extends JointOptions {
   readonly maxTorque?: number;
   readonly angularSpeed?: number;
   readonly limits?: JointLimits;
-  readonly spring?: JointSpring;
+  readonly spring?: DistanceSpring;
   readonly motor?: JointMotor;
 }
 
@@ -201,10 +207,12 @@ function fieldsOf(
     take('upper', limits.upper ?? UNLIMITED, 'limits.upper', -UNLIMITED);
   }
   if (spring !== undefined) {
-    checkKeys(spring, `${caller}.spring`, ['hertz', 'dampingRatio', 'maxForce']);
+    const bounds = caller === 'distance' ? ['maxForce', 'maxCompression'] : [];
+    checkKeys(spring, `${caller}.spring`, ['hertz', 'dampingRatio', ...bounds]);
     take('hertz', spring.hertz, 'spring.hertz', 0, true);
     take('dampingRatio', spring.dampingRatio, 'spring.dampingRatio');
     take('maxForce', spring.maxForce, 'spring.maxForce');
+    take('maxCompression', spring.maxCompression, 'spring.maxCompression');
   }
   if (motor !== undefined) {
     checkKeys(motor, `${caller}.motor`, ['speed', 'max']);

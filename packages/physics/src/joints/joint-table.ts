@@ -89,6 +89,7 @@ const COLUMNS = [
   ['hertz', Word.hertz],
   ['dampingRatio', Word.dampingRatio],
   ['maxForce', Word.maxForce],
+  ['maxCompression', Word.maxCompression],
   ['motorSpeed', Word.motorSpeed],
   ['maxMotor', Word.maxMotor],
   ['breakForce', Word.breakForce],

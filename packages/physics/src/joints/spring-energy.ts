@@ -27,14 +27,16 @@ function isWhole({ components, internal }: PhysicsWorld, joint: number): boolean
 function energyOf(world: PhysicsWorld, joint: number): number {
   const coordinate = coordinateOf(world, joint);
   if (coordinate === undefined) return 0;
-  const { a, b, hertz, length, maxForce } = world.components.Joint;
+  const { a, b, hertz, length, maxForce, maxCompression } = world.components.Joint;
   const inverse = coordinate === 'angle' ? inverseInertia : inverseMass;
   const yields = inverse(world, a[joint]) + inverse(world, b[joint]);
   if (yields === 0) return 0;
   const rest = coordinate === 'distance' ? length[joint] : 0;
-  const stretch = Math.abs(positionAlong(world, joint, coordinate) - rest);
+  const signed = positionAlong(world, joint, coordinate) - rest;
+  const stretch = Math.abs(signed);
   const rate = 2 * Math.PI * hertz[joint];
-  const force = Math.min((rate * rate * stretch) / yields, maxForce[joint]);
+  const most = signed < 0 ? Math.min(maxForce[joint], maxCompression[joint]) : maxForce[joint];
+  const force = Math.min((rate * rate * stretch) / yields, most);
   // Beyond its largest force it pulls with that.
   return force * (stretch - (0.5 * force * yields) / (rate * rate));
 }

@@ -29,6 +29,7 @@ export class JointTable {
   hertz: usize;
   dampingRatio: usize;
   maxForce: usize;
+  maxCompression: usize;
   motorSpeed: usize;
   maxMotor: usize;
   breakForce: usize;

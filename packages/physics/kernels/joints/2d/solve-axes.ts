@@ -47,18 +47,21 @@ function solveSpring(t: JointTable, work: JointWork, a: BodyState, b: BodyState,
   const rest = work.kind == DISTANCE ? <f64>get(t.length, id) : 0;
   const k = coupling(work, row, row);
   softenAlone(t, work, k, h);
-  const bias = softness.biasRate * (row.error - rest);
+  const stretch = row.error - rest;
+  const bias = softness.biasRate * stretch;
   const wanted = softImpulse(k, speedAlong(a, b, row) + bias, to.spring);
-  const impulse = withinForce(wanted, to.spring, <f64>get(t.maxForce, id) * h);
+  const impulse = work.kind == DISTANCE ? withinForces(t, work, stretch, wanted, to.spring, h) : wanted;
   to.spring += impulse;
   applyAlong(work, a, b, row, impulse);
 }
 
-// Keeps what a spring exerts in a step below its largest force.
-// @ts-ignore: decorator
-@inline function withinForce(impulse: f64, before: f64, most: f64): f64 {
-  if (before + impulse > most) return most - before;
-  return before + impulse < -most ? -most - before : impulse;
+// Keeps what a spring exerts in a step below its largest forces. A slack cord exerts none: its damping would pull what flies apart.
+function withinForces(t: JointTable, work: JointWork, stretch: f64, impulse: f64, before: f64, h: f64): f64 {
+  const most = <f64>get(t.maxForce, work.id) * h;
+  const push = min<f64>(most, <f64>get(t.maxCompression, work.id) * h);
+  const pull = push == 0 && stretch < 0 ? 0 : most;
+  if (before + impulse > push) return push - before;
+  return before + impulse < -pull ? -pull - before : impulse;
 }
 
 function solveMotor(t: JointTable, work: JointWork, a: BodyState, b: BodyState, to: JointImpulses, h: f64): void {

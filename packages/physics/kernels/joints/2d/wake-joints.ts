@@ -50,7 +50,7 @@ function settingsOf(t: JointTable, id: i32): u32 {
   hash = mix(mix(mix(mix(hash, t.angle, id), t.axis, id), t.length, id), t.ratio, id);
   hash = mix(mix(mix(mix(hash, t.pulleyAx, id), t.pulleyAy, id), t.pulleyBx, id), t.pulleyBy, id);
   hash = mix(mix(mix(mix(hash, t.lower, id), t.upper, id), t.hertz, id), t.dampingRatio, id);
-  hash = mix(mix(mix(hash, t.maxForce, id), t.motorSpeed, id), t.maxMotor, id);
+  hash = mix(mix(mix(mix(hash, t.maxForce, id), t.maxCompression, id), t.motorSpeed, id), t.maxMotor, id);
   hash = (hash ^ <u64>word(t.hasLimits, id)) * FNV_PRIME;
   hash = mix(mix(hash, t.breakForce, id), t.breakTorque, id);
   return <u32>(hash ^ (hash >> 32));
