@@ -29,7 +29,7 @@ it('240 steps of every scene end where they always ended', () => {
       "chains": "19a31649e3cc4b34",
       "circles": "6f26557c9b4c24bb",
       "cloth": "5dffac56cde82676",
-      "crowd": "afc7c43adaa1bae1",
+      "crowd": "3f6a67b7f39f8369",
       "discs": "0c01376fcaa15685",
       "elastic-discs": "e8b51bd9e7592784",
       "emitters": "ffc1284ca166769f",

@@ -3,7 +3,7 @@
 // quarter of its size would pass through.
 //
 // Time of impact: narrow-phase/2d/time-of-impact.ts.
-import { PLANE, SHAPE_BYTES, Shape, vertexX, vertexY } from '../../collision/shapes/2d/shape';
+import { CIRCLE, SHAPE_BYTES, Shape } from '../../collision/shapes/2d/shape';
 import { makeCircle, shapeOf } from '../../collision/shapes/2d/shape-pool';
 import { FatBox } from '../../collision/broad-phase/2d/fat-boxes';
 import { areJoined, filtersMeet } from '../../collision/broad-phase/2d/pair-filter';
@@ -17,6 +17,7 @@ import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
 import { motionOfA, motionOfB, startAtEnd } from '../../collision/narrow-phase/2d/shape-motion';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
 import { COLLIDES, FAST, JOINED, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
+import { comesFromBehind, isBeyondEnd, turnToSide } from './chain-impacts';
 import { bodyOf } from './parts';
 import { RigidTable } from './rigid-table';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
@@ -164,16 +165,17 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   sweep.target = target;
   if (!mayPass && !maySink(shape)) return 1;
   const wall = shapeAt(t, other, spareA);
+  if (comesFromBehind(sweep, wall)) return 1;
   const stop = stopOf(t, other);
   if (stop < 1) sweepInPhases(sweep, wall, shape, stop);
   else timeOfImpact(sweep, wall, shape);
-  if (sweep.isHit == 0) return 1;
+  if (sweep.isHit == 0 || (shape.kind == CIRCLE && isBeyondEnd(sweep, wall))) return 1;
   if ((flagsOf(t, other) & ONE_WAY) != 0 && (sweep.fraction == 0 || !isUpperSide(t, other, sweep.nx, sweep.ny)))
     return 1;
   const starts = sweep.fraction == 0;
   const isRail = rolls && (flagsOf(t, other) & MOVES) == 0;
   if (starts) impact.touches = true;
-  const isEnd = turnToSide(wall);
+  const isEnd = turnToSide(sweep, wall);
   if ((isEnd || (starts && isRail)) && !goesIn(FLAT)) return 1;
   const grazes = onAxle && !goesIn(ROLLING);
   if (!starts && !grazes && endsInside(wall, shape, isRail)) return sweep.fraction;
@@ -185,13 +187,11 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   // What flies or rolls is deflected by what it grazes.
   const graze = impact.touches && !isRail ? SAFE_PATH : GRAZE * target;
   const sinks = grazes || (starts && !isRail);
-  makeCircle(core, sinks ? part : max<real>(part, shape.minExtent - graze));
-  timeOfImpact(sweep, wall, core);
+  moveCore(wall, sinks ? part : max<real>(part, shape.minExtent - graze));
   if (starts && isRail) {
     if (sweep.isHit == 0) return 1;
     if (sweep.fraction > 0) return hitFrom(nx, ny, 0);
-    makeCircle(core, part);
-    timeOfImpact(sweep, wall, core);
+    moveCore(wall, part);
   }
   if (sweep.isHit == 0 || (sweep.fraction == 0 && !centerPasses(wall))) return 1;
   if (!starts) return hitFrom(nx, ny, fraction);
@@ -199,33 +199,18 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   return moveAlong(nx, ny) < 0 ? hitFrom(nx, ny, SLIDES) : SLIDES;
 }
 
-// Where the core is in something already, the centre of the body must stay on its side. Sets the fraction at which it comes there.
-function centerPasses(wall: Shape): bool {
-  makeCircle(core, 0);
-  sweep.target = LEAST_TARGET;
+// When a core of a radius about the centre of the second shape meets the first.
+function moveCore(wall: Shape, radius: real): void {
+  makeCircle(core, radius);
   timeOfImpact(sweep, wall, core);
-  return sweep.isHit != 0 && (sweep.fraction > 0 || goesIn(LEVEL));
+  if (sweep.isHit != 0 && isBeyondEnd(sweep, wall)) sweep.isHit = 0;
 }
 
-// What rolls along the inside of a curve presses into the next segment a little and is at the end of that first. Where this segment
-// turns towards the body, it would meet its side: the normal there would throw it off the rail. Returns whether it is so.
-function turnToSide(wall: Shape): bool {
-  if (wall.isChained == 0 || wall.kind == PLANE) return false;
-  const x = sweep.ac * sweep.nx + sweep.as * sweep.ny;
-  const y = sweep.ac * sweep.ny - sweep.as * sweep.nx;
-  const dx = vertexX(wall, 1) - vertexX(wall, 0);
-  const dy = vertexY(wall, 1) - vertexY(wall, 0);
-  const length = sqrt<real>(dx * dx + dy * dy);
-  const across = (y * dx - x * dy) / length;
-  const isStart = x * dx + y * dy < 0;
-  const end = isStart ? 0 : 1;
-  const next = isStart ? 2 : 3;
-  const turn = (vertexY(wall, next) - vertexY(wall, end)) * dx - (vertexX(wall, next) - vertexX(wall, end)) * dy;
-  if (turn * across <= 0) return false;
-  const side: real = across > 0 ? 1 : -1;
-  sweep.nx = (side * (-sweep.ac * dy - sweep.as * dx)) / length;
-  sweep.ny = (side * (sweep.ac * dx - sweep.as * dy)) / length;
-  return true;
+// Where the core is in something already, the centre of the body must stay on its side. Sets the fraction at which it comes there.
+function centerPasses(wall: Shape): bool {
+  sweep.target = LEAST_TARGET;
+  moveCore(wall, 0);
+  return sweep.isHit != 0 && (sweep.fraction > 0 || goesIn(LEVEL));
 }
 
 // @ts-ignore: decorator

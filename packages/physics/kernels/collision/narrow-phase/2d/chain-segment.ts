@@ -76,8 +76,11 @@ function collideOutline(m: Manifold, chain: Shape, other: Shape): void {
   const isBetween =
     isConvex && (tilt < 0 ? isAfter(chain, BEFORE, START, localX, localY) : isAfter(chain, AFTER, END, localX, localY));
   if (isBetween) return;
+  // The neighbour is nearer. But a corner that is below both segments has a face that is nearer to the end of each: then there
+  // are two contacts, each on its own segment.
+  const depth = -(m.count > 1 ? min<real>(m.separation0, m.separation1) : m.separation0);
   m.count = 0;
-  if (isConvex) return;
+  if (isConvex && depth <= chain.radius + other.radius) return;
   clipEdges(m, chain, other, 0, 0, otherInChain, false, true);
   toWorld(m, false);
 }

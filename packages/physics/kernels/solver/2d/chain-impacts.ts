@@ -1,0 +1,77 @@
+// What an impact with a segment of a chain counts for. As in contacts (narrow-phase/2d/chain-segment.ts), a segment is met from the
+// side of its first normal only, and beyond its ends nothing is met: there its neighbour is, or the chain is over. A body that was
+// halted there would find no contact in the next step, and hang in the air for ever.
+import { Sweep } from '../../collision/narrow-phase/2d/time-of-impact';
+import { PLANE, Shape, normalX, normalY, vertexX, vertexY } from '../../collision/shapes/2d/shape';
+
+// Sine of the angle by which a normal may lean over an end of a segment, so that no disc meets an end of neither of two.
+const LEANING: real = 0.01;
+
+// A half-plane is marked as chained, too, and has no vertices.
+// @ts-ignore: decorator
+@inline function isSegment(wall: Shape): bool {
+  return wall.isChained != 0 && wall.kind != PLANE;
+}
+
+// Whether the centre of the second shape starts behind a segment: it passes.
+export function comesFromBehind(sweep: Sweep, wall: Shape): bool {
+  if (!isSegment(wall)) return false;
+  const dx = sweep.bx - sweep.ax;
+  const dy = sweep.by - sweep.ay;
+  const x = sweep.ac * dx + sweep.as * dy - vertexX(wall, 0);
+  const y = sweep.ac * dy - sweep.as * dx - vertexY(wall, 0);
+  return x * normalX(wall, 0) + y * normalY(wall, 0) < 0;
+}
+
+// The end of a segment over which the normal of an impact leans.
+let end: i32 = 0;
+// The next point of the chain there.
+let next: i32 = 0;
+// The direction of the segment, m, its length, and the part of the normal that is across it, times that.
+let edgeX: real = 0;
+let edgeY: real = 0;
+let length: real = 0;
+let across: real = 0;
+// That along it, and the one along the next segment, as sines.
+let leaning: real = 0;
+let leaningOn: real = 0;
+// Above 0 where the chain turns to the left at the end, when seen from this segment.
+let turn: real = 0;
+
+function measureEnd(sweep: Sweep, wall: Shape): void {
+  const x = sweep.ac * sweep.nx + sweep.as * sweep.ny;
+  const y = sweep.ac * sweep.ny - sweep.as * sweep.nx;
+  edgeX = vertexX(wall, 1) - vertexX(wall, 0);
+  edgeY = vertexY(wall, 1) - vertexY(wall, 0);
+  length = sqrt<real>(edgeX * edgeX + edgeY * edgeY);
+  const along = x * edgeX + y * edgeY;
+  leaning = abs<real>(along) / length;
+  across = (y * edgeX - x * edgeY) / length;
+  end = along < 0 ? 0 : 1;
+  next = along < 0 ? 2 : 3;
+  const nextX = vertexX(wall, next) - vertexX(wall, end);
+  const nextY = vertexY(wall, next) - vertexY(wall, end);
+  turn = nextY * edgeX - nextX * edgeY;
+  leaningOn = (x * nextX + y * nextY) / sqrt<real>(nextX * nextX + nextY * nextY);
+}
+
+// Whether a disc that met a segment is beyond an end of it: where the chain turns away from the disc there, or is over. What starts
+// there has no contact.
+export function isBeyondEnd(sweep: Sweep, wall: Shape): bool {
+  if (!isSegment(wall)) return false;
+  measureEnd(sweep, wall);
+  const most = sweep.fraction > 0 ? LEANING : <real>0;
+  return turn * across <= 0 && leaning > most && leaningOn > most;
+}
+
+// What rolls along the inside of a curve presses into the next segment a little and is at the end of that first. Where this segment
+// turns towards the body, it would meet its side: the normal there would throw it off the rail. Returns whether it is so.
+export function turnToSide(sweep: Sweep, wall: Shape): bool {
+  if (!isSegment(wall)) return false;
+  measureEnd(sweep, wall);
+  if (turn * across <= 0) return false;
+  const side: real = across > 0 ? 1 : -1;
+  sweep.nx = (side * (-sweep.ac * edgeY - sweep.as * edgeX)) / length;
+  sweep.ny = (side * (sweep.ac * edgeX - sweep.as * edgeY)) / length;
+  return true;
+}
