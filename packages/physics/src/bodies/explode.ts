@@ -9,7 +9,7 @@
 import { BITS_HINT } from '../components/collider.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { isOpen } from '../ecs/rows.ts';
-import { checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
+import { checkKeys, checkNumber, checkPoint, checkWhole, type VectorInput } from '../errors/validate.ts';
 import { ANY, LENGTH_BOUNDS, POSITION_BOUNDS } from '../forces/support/bounds.ts';
 import { pow } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -35,7 +35,7 @@ export interface ExplosionOptions {
 export function explode(world: PhysicsWorld, options: ExplosionOptions): void {
   assertUsable(world);
   checkKeys(options, 'explode', ['centre', 'impulse', 'radius', 'falloff', 'mask']);
-  const centre = checkVector(options.centre ?? {}, 'explode.centre', POSITION_BOUNDS);
+  const centre = checkPoint(options.centre ?? {}, 'explode.centre', POSITION_BOUNDS);
   const impulse = checkNumber(options.impulse, 'explode.impulse', ANY);
   const radius = checkNumber(options.radius, 'explode.radius', LENGTH_BOUNDS);
   const falloff = checkNumber(options.falloff ?? 1, 'explode.falloff', { min: 0, max: 16 });

@@ -9,7 +9,7 @@
 import { warnAboutImpulse } from '#warnings';
 import { rotationKernels } from '../dynamics/rotation-kernels.ts';
 import { isOpen } from '../ecs/rows.ts';
-import { checkVector, type VectorInput } from '../errors/validate.ts';
+import { checkPoint, checkVector, type VectorInput } from '../errors/validate.ts';
 import { ANY, POSITION_BOUNDS } from '../forces/support/bounds.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { bodyOf } from './parts.ts';
@@ -25,7 +25,7 @@ import { bodyOf } from './parts.ts';
 export function applyImpulse(world: PhysicsWorld, id: number, impulse: VectorInput, point?: VectorInput): void {
   const eid = bodyOf(world, id);
   const j = checkVector(impulse, 'impulse', ANY);
-  const p = point === undefined ? undefined : checkVector(point, 'point', POSITION_BOUNDS);
+  const p = point === undefined ? undefined : checkPoint(point, 'point', POSITION_BOUNDS);
   const { Mass, Velocity: v, Position, Inertia, AngularVelocity: w } = world.components;
   const mass = Mass.value[eid];
   if (!(mass > 0) || isOpen(world, eid, 'Kinematic')) {

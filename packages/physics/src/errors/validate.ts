@@ -114,6 +114,15 @@ export function checkVector(value: unknown, field: string, bounds: Bounds = {}):
 }
 
 /**
+ * `checkVector` for a place. What a query found is one, whatever it tells beside x and y; a velocity or a direction it is not.
+ * @throws PhysicsError as `checkVector`
+ */
+export function checkPoint(value: unknown, field: string, bounds: Bounds = {}): Vector {
+  const isFound = isRecord(value) && typeof value.isWall === 'boolean';
+  return checkVector(isFound ? { x: value.x, y: value.y } : value, field, bounds);
+}
+
+/**
  * Validates a vector and writes its three axes to `out[at…]`; allocates no object, for values that are read in every
  * step.
  * @throws PhysicsError as `checkVector`; `out` may then be partly written

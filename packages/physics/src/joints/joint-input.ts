@@ -1,7 +1,15 @@
 // Converts the options that all joints share to fields of the component Joint, and validates them.
 import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkFlag, checkKeys, checkNumber, checkVector, checkWhole, type VectorInput } from '../errors/validate.ts';
+import {
+  checkFlag,
+  checkKeys,
+  checkNumber,
+  checkPoint,
+  checkVector,
+  checkWhole,
+  type VectorInput,
+} from '../errors/validate.ts';
 
 /** Bounds of the free coordinate of a joint, m or rad; one that is left out is not there. */
 export interface JointLimits {
@@ -157,7 +165,9 @@ export function describeJoint(
   if (options.a !== undefined || PAIRS.includes(caller)) checkWhole(options.a, `${caller}.a`, 1, MAX_CAPACITY);
   const required = REQUIRED[caller] ?? [];
   for (const name of POINTS) {
-    if (options[name] !== undefined || required.includes(name)) checkVector(options[name], `${caller}.${name}`);
+    if (options[name] === undefined && !required.includes(name)) continue;
+    if (name === 'axis') checkVector(options.axis, `${caller}.axis`);
+    else checkPoint(options[name], `${caller}.${name}`);
   }
   checkMeaning(caller, options);
   const { a = 0, b, anchor, anchorA = options.target ?? anchor, anchorB = anchor, axis, pulleyA, pulleyB } = options;

@@ -26,7 +26,7 @@ export interface QueryFilter extends BodyFilter {
   readonly walls?: boolean;
 }
 
-/** Where a ray or a moving shape met a body or a wall. */
+/** Where a ray or a moving shape met a body or a wall. What wants a place takes it as it is: `distance({ b, anchorA: hit })`. */
 export interface Hit {
   /** Entity id of the body or the wall; 0 for a wall of `boxWalls` that is no entity, as in `wallContacts`. */
   readonly body: number;

@@ -1,5 +1,5 @@
 import type { PointInput, Shape } from '../collision/shapes/2d/shape.ts';
-import { checkNumber, checkVector } from '../errors/validate.ts';
+import { checkNumber, checkPoint } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
   assertPlanar,
@@ -20,7 +20,7 @@ export interface NearestPointOptions extends QueryFilter {
   readonly maxDistance?: number;
 }
 
-/** The nearest point of a body or of a wall. */
+/** The nearest point of a body or of a wall. What wants a place takes it as it is, as it does a `Hit`. */
 export interface NearestPoint {
   /** Entity id of the body or the wall; 0 for a wall of `boxWalls` that is no entity, as in `wallContacts`. */
   readonly body: number;
@@ -49,7 +49,7 @@ export function nearestPoint(
   options: NearestPointOptions = {},
 ): NearestPoint | undefined {
   assertPlanar(world, 'nearestPoint');
-  const { x, y } = checkVector(point, 'nearestPoint: point');
+  const { x, y } = checkPoint(point, 'nearestPoint: point');
   checkFilter(options, 'nearestPoint', ['maxDistance']);
   const { maxDistance = Infinity } = options;
   const reach = maxDistance === Infinity ? Infinity : checkNumber(maxDistance, 'maxDistance', { min: 0 });

@@ -5,7 +5,7 @@ import { shapeAt } from '../collision/shapes/shape-pool.ts';
 import { assertUsable } from '../ecs/guards.ts';
 import { bodies } from '../ecs/ranges.ts';
 import { withoutWaiting } from '../emitters/waiting.ts';
-import { checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
+import { checkKeys, checkNumber, checkPoint, type VectorInput } from '../errors/validate.ts';
 import { cos, sin } from '../math/elementary.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import type { PhysicsWorld } from '../world/types.ts';
@@ -27,7 +27,7 @@ export interface PickOptions extends BodyFilter {
  */
 export function bodyAt(world: PhysicsWorld, point: VectorInput, options: PickOptions = {}): number {
   assertUsable(world);
-  const { x, y, z } = checkVector(point, 'point');
+  const { x, y, z } = checkPoint(point, 'point');
   checkKeys(options, 'bodyAt', ['margin', 'mask', 'ignore', 'sensors']);
   const margin = checkNumber(options.margin ?? 0, 'margin', { min: 0 });
   const filter = checkBodyFilter(options);

@@ -1,5 +1,5 @@
 import type { PointInput } from '../collision/shapes/2d/shape.ts';
-import { checkVector } from '../errors/validate.ts';
+import { checkPoint } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
   allHits,
@@ -52,8 +52,8 @@ function openRay(
   caller: string,
 ): RunningQuery {
   assertPlanar(world, caller);
-  const start = checkVector(from, `${caller}: from`);
-  const end = checkVector(to, `${caller}: to`);
+  const start = checkPoint(from, `${caller}: from`);
+  const end = checkPoint(to, `${caller}: to`);
   checkFilter(filter, caller);
   const path = { x: start.x, y: start.y, angle: 0, dx: end.x - start.x, dy: end.y - start.y };
   return openQuery(world, path, 0, filter);

@@ -2,7 +2,7 @@
 import { addComponent, set } from 'bitecs';
 import { warnAboutFreePin } from '#warnings';
 import { assertBody } from '../ecs/entity-ref.ts';
-import { checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
+import { checkNumber, checkPoint, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
 /**
@@ -33,7 +33,7 @@ export function unpin(world: PhysicsWorld, node: number, mass: number): void {
  */
 export function movePin(world: PhysicsWorld, node: number, to: VectorInput, dt: number): void {
   assertBody(world, node);
-  const { x, y, z } = checkVector(to, 'movePin: to');
+  const { x, y, z } = checkPoint(to, 'movePin: to');
   checkNumber(dt, 'movePin: dt', { above: 0 });
   warnAboutFreePin(world, node);
   const { Position, Velocity } = world.components;

@@ -9,7 +9,7 @@
 
 import { ensureCapacity } from '../ecs/entity-capacity.ts';
 import { assertUsable } from '../ecs/guards.ts';
-import { checkChoice, checkFlag, checkKeys, checkNumber, checkVector, type VectorInput } from '../errors/validate.ts';
+import { checkChoice, checkFlag, checkKeys, checkNumber, checkPoint, type VectorInput } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
   COUNT_BOUNDS,
@@ -64,8 +64,8 @@ const OPTIONS = [
 export function createRope(world: PhysicsWorld, options: RopeOptions): Network {
   assertUsable(world);
   checkKeys(options, 'createRope', OPTIONS);
-  const from = checkVector(options.from, 'rope.from');
-  const to = checkVector(options.to, 'rope.to');
+  const from = checkPoint(options.from, 'rope.from');
+  const to = checkPoint(options.to, 'rope.to');
   const count = checkNumber(options.nodes, 'rope.nodes', COUNT_BOUNDS);
   ensureCapacity(world, 2 * count - 1);
   const mass = checkNumber(options.mass, 'rope.mass', { above: 0 }) / count;
