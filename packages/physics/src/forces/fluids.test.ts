@@ -9,14 +9,19 @@ import {
   createPhysicsWorld,
   energy,
   immersedDrag,
+  isAsleep,
   lift,
   magnus,
   PhysicsError,
   polygon,
   polygonBuoyancy,
+  replaceForce,
+  rigidBodies,
   rungeKutta4,
+  spawn,
   sphereDrag,
   sphereDragCoefficient,
+  step,
   uniformGravity,
 } from '../index.ts';
 
@@ -151,6 +156,24 @@ describe('buoyancy', () => {
     expect(lawOn(law, { ...body, position: { y: 9 } }).x).toBeCloseTo(0, 15);
     expect(lawOn(law, { ...body, position: { y: 2 } }).x).toBe(-0.5 * (2 * 3 + 5) * 3);
     expect(lawOn(law, { ...body, position: { y: 0 } }).x).toBe(-(2 * 3 + 5) * 3);
+  });
+
+  test('what sleeps on the water rises with it where the forces of the fluid are replaced', () => {
+    const forces = [uniformGravity({ y: -10 }), buoyancy(pool), immersedDrag(pool)];
+    const world = createPhysicsWorld({ preset: rigidBodies, forces });
+    const collider = { shape: box(1, 1), density: 300 };
+    const crate = spawn(world, { position: { y: 2.2 }, collider, hull: { shape: 1 }, linearDrag: 1000 });
+    const { y } = world.components.Position;
+    for (let i = 0; i < 600; i++) step(world, 1 / 60);
+    expect(isAsleep(world, crate)).toBe(true);
+    const risen = { ...pool, level: 3 };
+    replaceForce(world, buoyancy(risen));
+    replaceForce(world, immersedDrag(risen));
+    step(world, 1 / 60);
+    expect(isAsleep(world, crate)).toBe(false);
+    for (let i = 0; i < 600; i++) step(world, 1 / 60);
+    // 0.3 of its height are under water, and it fell asleep where it crept by less than 5 mm.
+    expect(Math.abs(y[crate] - 3.2)).toBeLessThan(0.005);
   });
 
   test('an empty bubble accelerates at 2 g at most with added mass, and at 999 g without', () => {

@@ -14,7 +14,10 @@ export interface FluidVolume {
   readonly density: number;
   /** Gravity, m/s²; default standard gravity downwards. It defines the upward direction. */
   readonly gravity?: VectorInput;
-  /** Height of the surface along up, m: its y if gravity points down. By default the fluid is unbounded. */
+  /**
+   * Height of the surface along up, m: its y if gravity points down. By default the fluid is unbounded. It is read once, as all of the
+   * fluid: the surface rises where its forces are replaced, `replaceForce(world, buoyancy({ ...fluid, level }))`.
+   */
   readonly level?: number;
   /** Velocity of the fluid, m/s; default at rest. Read by `immersedDrag`, and at a surface by `addedMass`: buoyancy does not depend on it. */
   readonly flow?: VectorInput;
