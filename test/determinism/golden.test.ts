@@ -47,7 +47,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "e63fa89ded802f9c",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "97f297fdf1f2ed89",
+      "spinner": "cefe06eec80400ad",
       "springs": "2f827429c1ac197b",
       "tumbler": "f253ce657e072dc9",
       "washer": "4ff1d51be1f026c2",

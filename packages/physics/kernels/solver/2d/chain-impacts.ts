@@ -7,6 +7,9 @@ import { PLANE, Shape, normalX, normalY, vertexX, vertexY } from '../../collisio
 // Sine of the angle by which a normal may lean over an end of a segment, so that no disc meets an end of neither of two.
 const LEANING: real = 0.01;
 
+// Sine of the angle by which a chain turns at most where it goes straight on, but for rounding.
+const STRAIGHT: real = 0.0001;
+
 // A half-plane is marked as chained, too, and has no vertices.
 // @ts-ignore: decorator
 @inline function isSegment(wall: Shape): bool {
@@ -32,10 +35,11 @@ let edgeX: real = 0;
 let edgeY: real = 0;
 let length: real = 0;
 let across: real = 0;
-// That along it, and the one along the next segment, as sines.
+// That along it, and those along and across the next segment, as sines.
 let leaning: real = 0;
 let leaningOn: real = 0;
-// Above 0 where the chain turns to the left at the end, when seen from this segment.
+let acrossNext: real = 0;
+// Sine of the angle by which the way on turns at the end, against that of the segment: above 0 to its left.
 let turn: real = 0;
 
 function measureEnd(sweep: Sweep, wall: Shape): void {
@@ -51,17 +55,22 @@ function measureEnd(sweep: Sweep, wall: Shape): void {
   next = along < 0 ? 2 : 3;
   const nextX = vertexX(wall, next) - vertexX(wall, end);
   const nextY = vertexY(wall, next) - vertexY(wall, end);
-  turn = nextY * edgeX - nextX * edgeY;
-  leaningOn = (x * nextX + y * nextY) / sqrt<real>(nextX * nextX + nextY * nextY);
+  const nextLength = sqrt<real>(nextX * nextX + nextY * nextY);
+  turn = (nextY * edgeX - nextX * edgeY) / (length * nextLength);
+  leaningOn = (x * nextX + y * nextY) / nextLength;
+  // Of the way back, the left is the right of the chain.
+  const side: real = end == 0 ? -1 : 1;
+  acrossNext = (side * (y * nextX - x * nextY)) / nextLength;
 }
 
-// Whether a disc that met a segment is beyond an end of it: where the chain turns away from the disc there, or is over. What starts
-// there has no contact.
+// Whether a disc that met a segment is beyond an end of it: where the chain turns away from the disc there, is over, or turns so that
+// the disc is behind its next segment. What starts there has no contact.
 export function isBeyondEnd(sweep: Sweep, wall: Shape): bool {
   if (!isSegment(wall)) return false;
   measureEnd(sweep, wall);
   const most = sweep.fraction > 0 ? LEANING : <real>0;
-  return turn * across <= 0 && leaning > most && leaningOn > most;
+  if (leaning <= most || leaningOn <= most) return false;
+  return turn * across <= STRAIGHT || acrossNext * across < 0;
 }
 
 // What rolls along the inside of a curve presses into the next segment a little and is at the end of that first. Where this segment

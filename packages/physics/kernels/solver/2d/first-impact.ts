@@ -190,7 +190,7 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   moveCore(wall, sinks ? part : max<real>(part, shape.minExtent - graze));
   if (starts && isRail) {
     if (sweep.isHit == 0) return 1;
-    if (sweep.fraction > 0) return hitFrom(nx, ny, 0);
+    if (sweep.fraction > 0) return hitFrom(nx, ny, isMet(wall, shape) ? 0 : SLIDES);
     moveCore(wall, part);
   }
   if (sweep.isHit == 0 || (sweep.fraction == 0 && !centerPasses(wall))) return 1;
@@ -207,10 +207,12 @@ function moveCore(wall: Shape, radius: real): void {
 }
 
 // Where the core is in something already, the centre of the body must stay on its side. Sets the fraction at which it comes there.
+// One that is inside of something solid was put there, or pressed in: its contact pushes it out.
 function centerPasses(wall: Shape): bool {
   sweep.target = LEAST_TARGET;
   moveCore(wall, 0);
-  return sweep.isHit != 0 && (sweep.fraction > 0 || goesIn(LEVEL));
+  if (sweep.isHit == 0 || sweep.gap < -LEAST_TARGET) return false;
+  return sweep.fraction > 0 || goesIn(LEVEL);
 }
 
 // @ts-ignore: decorator
@@ -234,6 +236,17 @@ function maySink(shape: Shape): bool {
   const turn = abs<real>(sb * c - cb * s) * shape.extent;
   const limit = SAFE_PATH - turn;
   return limit < 0 || dx * dx + dy * dy > limit * limit;
+}
+
+// Whether the shapes have a contact at the start of the step. Where something deep in one segment of a chain is beyond the end of
+// another, it has none with that one, which would take its velocity.
+function isMet(wall: Shape, shape: Shape): bool {
+  if (wall.isChained == 0) return true;
+  setPoses(manifold, sweep.bx - sweep.ax, sweep.by - sweep.ay, sweep.ac, sweep.as, sweep.bc, sweep.bs);
+  manifold.speculative = SPECULATIVE_DISTANCE;
+  manifold.reach = Infinity;
+  collideShapes(manifold, wall, shape);
+  return manifold.count > 0;
 }
 
 // Whether the second shape ends in the first by more than the slop, so that it would be seen to sink in, and bounce from there. A

@@ -31,12 +31,13 @@ export class Sweep {
   // Distance of the surfaces that counts as an impact, m, above 0. It is met to a quarter.
   target: real;
   // Fraction of the step until then, 1 without an impact. At this moment: normal from a to b, zero where the shapes
-  // without their rounding overlap, and the point half-way between the surfaces, m.
+  // without their rounding overlap, the point half-way between the surfaces, m, and their distance, below 0 where they overlap.
   fraction: real;
   nx: real;
   ny: real;
   x: real;
   y: real;
+  gap: real;
 }
 
 // A search that needs more turns has come so near that time hardly goes on: it ends before the impact, never after.
@@ -116,6 +117,7 @@ function report(sweep: Sweep, a: Shape, b: Shape, nx: real, ny: real): void {
   const t = sweep.fraction;
   const middle = <real>0.5 * (a.radius + nearest.distance - b.radius);
   sweep.isHit = 1;
+  sweep.gap = nearest.distance - a.radius - b.radius;
   sweep.nx = nx;
   sweep.ny = ny;
   sweep.x = sweep.ax + t * (sweep.endAx - sweep.ax) + (cosA * nearest.ax - sinA * nearest.ay) + middle * nx;
