@@ -61,12 +61,11 @@ export interface LawOptions<R extends Reads, P extends Parameters> {
 }
 
 /** Records a law. @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN, naming the law */
-export function recordLaw(
-  options: LawOptions<Reads, Parameters>,
-  parameters: Readonly<Record<string, Parameter>>,
-): Law {
+export function recordLaw(options: LawOptions<Reads, Parameters>, given: Readonly<Record<string, Parameter>>): Law {
   const { name, dimensions } = options;
-  checkParameters(name, parameters);
+  checkParameters(name, given);
+  // Values are found by the object: one that stands under two names, or in two laws, must be two.
+  const parameters = Object.fromEntries(Object.entries(given).map(([key, parameter]) => [key, { ...parameter }]));
   const body = bodySymbols(name, options.reads ?? {}) as BodySymbols & ReadSymbols<Reads>;
   const symbols = Object.fromEntries(
     Object.entries(parameters).map(([key, parameter]) => [
@@ -74,7 +73,7 @@ export function recordLaw(
       'fields' in parameter ? new Table(parameter as unknown as TableParameter) : symbolOf(parameter),
     ]),
   );
-  const given = rejectUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
+  const known = rejectUnknown(symbols, `${name}.parameters`) as LawSymbols<Parameters>;
   const recordFormula = <Result extends Expression>(
     formula: 'force' | 'acceleration' | 'torque' | 'potential',
     shape: string,
@@ -85,7 +84,7 @@ export function recordLaw(
       shape,
       options[formula] as undefined | ((...symbols: unknown[]) => unknown),
       body,
-      given,
+      known,
     );
   const formulas = {
     force: recordFormula<Vector>('force', 'vector'),
