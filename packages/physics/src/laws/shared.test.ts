@@ -4,7 +4,7 @@ import { forcesNow } from '../../../../test/support/law-lab.ts';
 import {
   createPhysicsWorld,
   defineLaw,
-  type LawForce,
+  type Force,
   lawFromPotential,
   scalar,
   spawn,
@@ -15,7 +15,7 @@ import {
 } from '../index.ts';
 
 /** What forces exert on a body at x = 1, N. */
-function exertedBy(...forces: readonly LawForce[]): [number, number] {
+function exertedBy(...forces: readonly Force[]): [number, number] {
   const world = createPhysicsWorld({ capacity: 1, precision: 'f64', forces: [...forces] });
   const body = spawn(world, { position: { x: 1 }, velocity: {}, mass: 1 });
   const { x, y } = forcesNow(world);
