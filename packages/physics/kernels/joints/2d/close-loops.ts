@@ -20,7 +20,7 @@ import { treeBody } from './joint-trees';
 import { JointRow, JointWork, rowOf, workAt } from './joint-work';
 import { pushAxes } from './push-axes';
 import { Mechanism, mechanismAt, treeOfMechanism } from './mechanisms';
-import { ROW_A, ROW_B, inverseMassOf } from './solve-couplings';
+import { ROW_A, ROW_B, giveOfRope, inverseMassOf } from './solve-couplings';
 import { factorSymmetric, solveSymmetric } from './symmetric-matrix';
 import { gatherTree, passTree, respond } from './sweep-tree';
 
@@ -90,6 +90,8 @@ export function closeLoops(
   for (let i = 0; i < mechanism.rows; i++) {
     const row = loopRow(t, i);
     row.value = speedAlong(row) + row.wanted;
+    // Limits were let go since: what gave way against them is not to stay as a speed.
+    if (factor && !soft) row.value += row.compliance * load<f64>(row.impulse);
   }
   if (factor) factorLoops(t, mechanism);
   solveSymmetric(mechanism.matrix, mechanism.rows, t.loopRows + offsetof<LoopRow>('value'), SIZE);
@@ -142,7 +144,7 @@ function listCoupling(t: JointTable, rigid: RigidTable, mechanism: Mechanism, wo
   to.by = q.y;
   to.bw = q.armB;
   to.inverseMass = inverseMassOf(work);
-  to.compliance = COMPLIANCE * to.inverseMass;
+  to.compliance = (work.kind == PULLEY ? COMPLIANCE + giveOfRope(t, rigid, work) : COMPLIANCE) * to.inverseMass;
   const a = stateOf(rigid, work.a);
   const b = stateOf(rigid, work.b);
   if (to.a == 0) to.wanted += p.x * <f64>a.vx + p.y * <f64>a.vy + p.armA * <f64>a.w;

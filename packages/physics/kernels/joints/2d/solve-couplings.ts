@@ -39,8 +39,9 @@ export function measurePulley(t: JointTable, work: JointWork): void {
   const bx = <f64>b.x + <f64>stateB(rigid, work).dx + rbx - <f64>get(t.pulleyBx, id);
   const by = <f64>b.y + <f64>stateB(rigid, work).dy + rby - <f64>get(t.pulleyBy, id);
   const pull = pullOfLate(impulsesOf(t, id));
-  const leastA = leastRope(rigid.h, pull, <f64>a.inverseMass, 1);
-  const leastB = leastRope(rigid.h, pull, <f64>b.inverseMass, ratio);
+  const most = AT_WHEEL * longest(t, id);
+  const leastA = min<f64>(most, leastRope(rigid.h, pull, <f64>a.inverseMass, 1));
+  const leastB = min<f64>(most, leastRope(rigid.h, pull, <f64>b.inverseMass, ratio));
   const ropeA = shorten(rowOf(work, ROW_A), ax, ay, rax, ray, 1, leastA);
   const ropeB = shorten(rowOf(work, ROW_B), bx, by, rbx, rby, ratio, leastB);
   const chordA = chordOfRope(rowOf(work, ROW_A), jointed(t, work.a), rax, ray, ropeA, 1, leastA);
@@ -59,6 +60,23 @@ export function measurePulley(t: JointTable, work: JointWork): void {
   return max<f64>(MIN_ROPE, FOLLOWED * h * ratio * pull * inverseMass);
 }
 
+// How much a rope of a mechanism gives way, as a part of the inverse mass of its bodies. What is wound too far against something that is
+// held, which hardly gives way either, would be pulled without bound, and swing faster than sub-steps can follow: a rope gives way in
+// proportion to its pull, in units of that at which they can follow these bodies at a rope as long as this. A load of a thousand times
+// the mass of its bodies moves it by some millimetres.
+export function giveOfRope(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
+  const pull = pullOfLate(impulsesOf(t, work.id));
+  const part = leastRope(rigid.h, pull, inverseMassOf(work), 1) / longest(t, work.id);
+  return GIVE * min<f64>(1 / GIVE, part);
+}
+
+const GIVE: f64 = 0.04;
+
+// @ts-ignore: decorator
+@inline function longest(t: JointTable, id: i32): f64 {
+  return max<f64>(MIN_ROPE, <f64>get(t.length, id));
+}
+
 // The greatest pull of late: a rope that jerks pulls in some sub-steps only.
 // @ts-ignore: decorator
 @inline function pullOfLate(impulses: JointImpulses): f64 {
@@ -75,6 +93,10 @@ const KEPT: f64 = 0.81;
 
 // The least length, in units of h² F/m.
 const FOLLOWED: f64 = 2;
+
+// A body is near its wheel within this part of the rope at most. Farther away a weaker row would only need a harder pull, and that a
+// weaker row.
+const AT_WHEEL: f64 = 0.5;
 
 // The row along which a rope gets shorter, `ratio` times. Returns the length of the rope.
 function shorten(row: JointRow, x: f64, y: f64, rx: f64, ry: f64, ratio: f64, least: f64): f64 {
