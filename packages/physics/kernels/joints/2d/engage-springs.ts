@@ -11,10 +11,11 @@ import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { DISTANCE, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { DISTANCE, JointTable, PRISMATIC, WHEEL, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { isInTree } from './joint-trees';
-import { APART, JointWork, MOST_LOCKS, SPRING_ROW, hasOwnDirection, rowOf } from './joint-work';
+import { APART, JointRow, JointWork, MOST_LOCKS, SPRING_ROW, hasOwnDirection, rowOf } from './joint-work';
 import { addLock, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
+import { couplingOnRails } from './row-locks';
 import { softenJoint } from './soft-impulse';
 import { softenInTree } from './spring-softness';
 
@@ -38,7 +39,7 @@ export function engageSpring(t: JointTable, rigid: RigidTable, work: JointWork):
   // A motor that pushes may come to hold its speed in this sub-step, and then needs the row.
   if (work.motor != APART && !hasOwnDirection(work)) return;
   const row = rowOf(work, SPRING_ROW);
-  const k = coupling(work, row, row);
+  const k = inverseMassAlong(work, row);
   if (!(k > 0)) return;
   softenInTree(t, work, k, rigid.h);
   work.give = (softness.impulseScale * k) / softness.massScale;
@@ -49,6 +50,27 @@ export function engageSpring(t: JointTable, rigid: RigidTable, work: JointWork):
   work.springLock = addLock(work, row, 0, part * work.springBias + (part - 1) * speed);
   work.springPush = 0;
 }
+
+// The inverse mass of both bodies along the axis of a slider or a suspension, as far as its own locked directions let them move: a slider
+// does not turn b, however far from its centre it holds it.
+function inverseMassAlong(work: JointWork, row: JointRow): f64 {
+  const k = coupling(work, row, row);
+  if (work.kind != PRISMATIC && work.kind != WHEEL) return k;
+  const across = rowOf(work, 0);
+  const angle = rowOf(work, 1);
+  const p = couplingOnRails(work, row, across);
+  const kp = couplingOnRails(work, across, across);
+  const ifItTurns = kp > 0 ? k - (p * p) / kp : k;
+  if (work.kind == WHEEL) return ifItTurns;
+  const q = couplingOnRails(work, row, angle);
+  const kq = couplingOnRails(work, angle, angle);
+  const pq = couplingOnRails(work, across, angle);
+  const both = kp * kq - pq * pq;
+  return both > SINGULAR * kp * kq ? k - (kq * p * p - 2 * pq * p * q + kp * q * q) / both : ifItTurns;
+}
+
+// Less of a determinant is rounding.
+const SINGULAR: f64 = 1e-12;
 
 // Before what joints pulled is taken back: the spring goes on from what it has exerted.
 export function relaxSpring(t: JointTable, work: JointWork): void {

@@ -40,7 +40,7 @@ const WINCH_PART: f64 = 0.03;
 
 // What a unit impulse along one row changes along another, as if locked axes gave way a little.
 // @ts-ignore: decorator
-@inline function couplingOnRails(work: JointWork, p: JointRow, q: JointRow): f64 {
+@inline export function couplingOnRails(work: JointWork, p: JointRow, q: JointRow): f64 {
   return coupling(work, p, q) + work.railX * (p.x * q.x) + work.railY * (p.y * q.y);
 }
 

@@ -6,10 +6,6 @@ import { softenSpring } from '../../solver/2d/softness';
 import { JointTable, REVOLUTE, WELD } from './joint-table';
 import { JointWork } from './joint-work';
 
-// A spring that is tied to a light body far from its centre would swing that faster than sub-steps can follow, and with it all that
-// hangs on it: it is as stiff as at this part of their rate.
-const MOST_OF_RATE: f64 = 1 / 12;
-
 // What is solved with its tree is at most as stiff as at this multiple of the rate of sub-steps, so that its matrix has digits: it then
 // gives way under its weight by g/(8π rate)², a quarter of a micrometre at 240 Hz.
 const MOST_IN_TREE: f64 = 4;
@@ -36,7 +32,7 @@ export function mostAlone(work: JointWork): f64 {
 
 function softenTo(t: JointTable, work: JointWork, k: f64, h: f64, most: f64): void {
   const hertz = <f64>get(t.hertz, work.id);
-  const rate = min<f64>(rateOf(t, work, k), max<f64>(1, MOST_OF_RATE / (h * hertz)));
+  const rate = rateOf(t, work, k);
   softenSpring(min<f64>(rate * hertz, most / h), rate * <f64>get(t.dampingRatio, work.id), h);
 }
 
