@@ -13,7 +13,16 @@ import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
+import {
+  GEAR,
+  JointImpulses,
+  JointTable,
+  PULLEY,
+  impulsesOf,
+  isCoupling,
+  isSolvedApart,
+  lockAddress,
+} from './joint-table';
 import { LOOP } from './joint-trees';
 import { jointsOfTree, treeOfRow } from './list-by-tree';
 import { JointRow, JointWork, SPRING_ROW, rowOf, workAt } from './joint-work';
@@ -45,11 +54,12 @@ const RETURN: f64 = 0.5;
 // Limits closer to each other leave no room, m or rad.
 const NO_ROOM: f64 = 1e-9;
 
-// Whether the limits of a joint are solved with its tree. That of a pulley is its rope, which may be slack.
+// Whether the limits of a joint are solved with its tree. That of a pulley is its rope, which may be slack; a gear and a motor joint have
+// no free coordinate that could be limited.
 // @ts-ignore: decorator
 @inline export function hasTreeLimits(t: JointTable, work: JointWork): bool {
   if (work.hasAxes == 0 || work.parent == LOOP) return false;
-  return work.kind == PULLEY || word(t.hasLimits, work.id) != 0;
+  return work.kind == PULLEY || (word(t.hasLimits, work.id) != 0 && !isSolvedApart(work.kind));
 }
 
 // @ts-ignore: decorator
