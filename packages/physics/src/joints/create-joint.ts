@@ -152,24 +152,26 @@ export function breakJoints(world: PhysicsWorld): void {
 
 /**
  * Returns the largest force that a joint exerted in the last step, N: of its locked directions, spring, motor and limits.
- * A pulley with a ratio pulls its two bodies differently: this is the force on b.
+ * A pulley with a ratio pulls its two bodies differently: this is the force on b. Before its first step it is 0.
  * @throws PhysicsError E_STALE when there is no joint with this id, E_DESTROYED
  */
 export function jointForce(world: PhysicsWorld, joint: number): number {
-  return impulsesOf(world, joint)[Impulses.force];
+  return exerted(world, joint, Impulses.force);
 }
 
 /**
- * Returns the largest torque that a joint exerted in the last step, N m, about its anchor.
+ * Returns the largest torque that a joint exerted in the last step, N m, about its anchor. Before its first step it is 0.
  * @throws PhysicsError E_STALE when there is no joint with this id, E_DESTROYED
  */
 export function jointTorque(world: PhysicsWorld, joint: number): number {
-  return impulsesOf(world, joint)[Impulses.torque];
+  return exerted(world, joint, Impulses.torque);
 }
 
-function impulsesOf(world: PhysicsWorld, joint: number): Float64Array {
+function exerted(world: PhysicsWorld, joint: number, number: Impulses): number {
   assertJoint(world, joint);
+  // What stands there until its first step is that of a joint which had its id before.
+  if (world.components.Joint.started[joint] === 0) return 0;
   const { words } = jointTable(world);
   const at = words[Word.impulses] + JOINT_IMPULSES_BYTES * joint;
-  return new Float64Array(world.memory.buffer, at, JOINT_IMPULSES_BYTES / 8);
+  return new Float64Array(world.memory.buffer, at, JOINT_IMPULSES_BYTES / 8)[number];
 }

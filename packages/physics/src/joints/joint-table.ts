@@ -166,7 +166,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
     Word.mechanismOf,
   ])
     take(word, 4);
-  for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds, Word.collided]) take(word, 4);
+  for (const word of [Word.axes, Word.active, Word.roles, Word.parents, Word.linkIds, Word.listed]) take(word, 4);
   return { at, words, entityList: emptyEntityList() };
 });
 

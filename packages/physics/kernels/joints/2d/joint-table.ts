@@ -39,8 +39,8 @@ export class JointTable {
   // Ids of all joints, ascending.
   ids: usize;
   count: i32;
-  // Whether their bodies collided when they were listed.
-  collided: usize;
+  // By row of a joint: which bodies it kept from colliding when it was listed (list-joints.ts).
+  listed: usize;
   // The joints of this step that are solved one by one, class JointWork, and their rows: those of trees in the order of the
   // trees, those that close loops of mechanisms, then the others.
   works: usize;

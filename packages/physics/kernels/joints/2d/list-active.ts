@@ -1,12 +1,13 @@
 // The joints that act in a step, and what each of them does. As long as these are those of the step before, their trees and
 // colors are, too.
 import { get } from '../../memory/columns';
-import { LOCKED, MOVES, flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
+import { ASLEEP, LOCKED, MOVES, flagsOf, isPushed, putWord, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import {
   DISTANCE,
   FILTER,
   IMPULSES_SIZE,
+  JointImpulses,
   JointTable,
   REVOLUTE,
   impulsesOf,
@@ -33,6 +34,8 @@ export const LOCKED_END: i32 = 256;
 export const ROPE: i32 = 512;
 // It is a pulley or a gear.
 export const COUPLES: i32 = 1024;
+// Above these bits stands the kind: a joint that becomes another is laid out anew.
+const KIND: i32 = 2048;
 
 // @ts-ignore: decorator
 @inline export function isPlainHinge(role: i32): bool {
@@ -56,8 +59,11 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
     const b = word(t.b, id);
     const flagsA = flagsOf(rigid, a);
     const flagsB = flagsOf(rigid, b);
-    if (!isPushed(flagsA) && !isPushed(flagsB)) continue;
-    let role = roleOf(t, id, kind);
+    if (!isPushed(flagsA) && !isPushed(flagsB)) {
+      if (((flagsA | flagsB) & ASLEEP) == 0) forgetForces(impulsesOf(t, id));
+      continue;
+    }
+    let role = roleOf(t, id, kind) | (KIND * <i32>kind);
     if ((flagsA & MOVES) != 0) role |= A_MOVES;
     if ((flagsB & MOVES) != 0) role |= B_MOVES;
     if (((flagsA | flagsB) & LOCKED) != 0) role |= LOCKED_END;
@@ -72,6 +78,13 @@ export function listActive(t: JointTable, rigid: RigidTable): bool {
   if (count != t.activeCount) changed = true;
   t.activeCount = count;
   return changed;
+}
+
+// Of a joint that has nothing to hold. One whose bodies sleep goes on to bear what it bore.
+// @ts-ignore: decorator
+@inline function forgetForces(impulses: JointImpulses): void {
+  impulses.force = 0;
+  impulses.torque = 0;
 }
 
 // Writes a word, and returns whether it was another.

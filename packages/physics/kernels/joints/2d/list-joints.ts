@@ -21,7 +21,8 @@ export function listJoints(table: usize): void {
     const id = word(t.ids, i);
     const a = word(t.a, id);
     const b = word(t.b, id);
-    putWord(t.collided, i, word(t.collide, id));
+    followEnds(t, rigid, id);
+    putWord(t.listed, id, listedOf(t, id));
     const hasA = a == 0 || hasGeneration(rigid, a, word(t.aGeneration, id));
     if (!hasA || !hasGeneration(rigid, b, word(t.bGeneration, id))) {
       putWord(t.orphans, t.orphanCount++, id);
@@ -39,19 +40,39 @@ export function listJoints(table: usize): void {
   releasePairs(t, rigid, before);
 }
 
-// Whether `collide` of a joint has changed since the joints were listed; then its bodies wake.
+// Whether `collide`, the kind or a body of a joint has changed since the joints were listed; then its bodies wake.
 export function hasNewCollisions(table: usize): bool {
   const t = changetype<JointTable>(table);
   const rigid = changetype<RigidTable>(t.rigid);
   let any = false;
   for (let i = 0; i < t.count; i++) {
     const id = word(t.ids, i);
-    if (word(t.collide, id) == word(t.collided, i)) continue;
+    if (listedOf(t, id) == word(t.listed, id)) continue;
     any = true;
     wakeLater(rigid, word(t.a, id));
     wakeLater(rigid, word(t.b, id));
   }
   return any;
+}
+
+// What decides which bodies a joint keeps from colliding, and whether it holds them at all: a number of its two bodies, and below it the
+// kind and `collide`.
+// @ts-ignore: decorator
+@inline function listedOf(t: JointTable, id: i32): i32 {
+  const ends = word(t.a, id) * ROWS_APART + word(t.b, id);
+  return (ends << ENDS) | (word(t.kind, id) << 1) | (word(t.collide, id) & 1);
+}
+
+const ENDS: i32 = 5;
+
+// An odd number: a pair of bodies near each other among the rows and another of this kind have different numbers.
+const ROWS_APART: i32 = 0x1e3779b1;
+
+// A joint that got another body since it was listed means the one that is there now.
+function followEnds(t: JointTable, rigid: RigidTable, id: i32): void {
+  if (word(t.started, id) == 0 || listedOf(t, id) >> ENDS == word(t.listed, id) >> ENDS) return;
+  putWord(t.aGeneration, id, word(rigid.generations, word(t.a, id)));
+  putWord(t.bGeneration, id, word(rigid.generations, word(t.b, id)));
 }
 
 // Bodies that sleep wake when a joint of theirs is gone.

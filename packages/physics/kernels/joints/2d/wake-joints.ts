@@ -51,7 +51,8 @@ function settingsOf(t: JointTable, id: i32): u32 {
   hash = mix(mix(mix(mix(hash, t.pulleyAx, id), t.pulleyAy, id), t.pulleyBx, id), t.pulleyBy, id);
   hash = mix(mix(mix(mix(hash, t.lower, id), t.upper, id), t.hertz, id), t.dampingRatio, id);
   hash = mix(mix(mix(mix(hash, t.maxForce, id), t.maxCompression, id), t.motorSpeed, id), t.maxMotor, id);
-  hash = (hash ^ <u64>word(t.hasLimits, id)) * FNV_PRIME;
+  hash = mixWord(mixWord(mixWord(hash, t.kind, id), t.a, id), t.b, id);
+  hash = mixWord(mixWord(hash, t.isRack, id), t.hasLimits, id);
   hash = mix(mix(hash, t.breakForce, id), t.breakTorque, id);
   return <u32>(hash ^ (hash >> 32));
 }
@@ -61,4 +62,9 @@ const FNV_PRIME: u64 = 0x100000001b3;
 // @ts-ignore: decorator
 @inline function mix(hash: u64, column: usize, id: i32): u64 {
   return (hash ^ reinterpret<u64>(<f64>get(column, id))) * FNV_PRIME;
+}
+
+// @ts-ignore: decorator
+@inline function mixWord(hash: u64, column: usize, id: i32): u64 {
+  return (hash ^ <u64>word(column, id)) * FNV_PRIME;
 }
