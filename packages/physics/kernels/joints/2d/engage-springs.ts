@@ -11,7 +11,7 @@ import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
-import { DISTANCE, JointTable, PRISMATIC, WHEEL, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
+import { DISTANCE, JointTable, impulsesOf, isSolvedApart, lockAddress } from './joint-table';
 import { isInTree } from './joint-trees';
 import { APART, JointRow, JointWork, MOST_LOCKS, SPRING_ROW, hasOwnDirection, rowOf } from './joint-work';
 import { addLock, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
@@ -55,13 +55,14 @@ export function engageSpring(t: JointTable, rigid: RigidTable, work: JointWork):
 // does not turn b, however far from its centre it holds it.
 function inverseMassAlong(work: JointWork, row: JointRow): f64 {
   const k = coupling(work, row, row);
-  if (work.kind != PRISMATIC && work.kind != WHEEL) return k;
+  const turns = row.x == 0 && row.y == 0;
+  if (turns || work.ownLocks == 0) return k;
   const across = rowOf(work, 0);
   const angle = rowOf(work, 1);
   const p = couplingOnRails(work, row, across);
   const kp = couplingOnRails(work, across, across);
   const ifItTurns = kp > 0 ? k - (p * p) / kp : k;
-  if (work.kind == WHEEL) return ifItTurns;
+  if (work.ownLocks == 1) return ifItTurns;
   const q = couplingOnRails(work, row, angle);
   const kq = couplingOnRails(work, angle, angle);
   const pq = couplingOnRails(work, across, angle);
