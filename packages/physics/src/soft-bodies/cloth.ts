@@ -58,7 +58,7 @@ export interface ClothOptions extends SpringOptions {
 export interface Cloth extends Network {
   readonly columns: number;
   readonly rows: number;
-  /** Returns the node at a position of the grid. */
+  /** Returns the node at a position of the grid. @throws PhysicsError E_TYPE, E_RANGE */
   at(column: number, row: number): number;
   /** Entity ids of the corners of its triangles, three each, as `clothWind` takes them. */
   readonly triangles: Uint32Array;
@@ -98,8 +98,9 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   addPolylines(list, options, columns, rows);
   const bodies = placeNodes(options, columns, rows);
   const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
-  const at = (column: number, row: number) => nodes[row * columns + column];
-  return { nodes, springs, columns, rows, at, triangles: belongsTo(world, trianglesOf(at, columns, rows)) };
+  const at = (column: number, row: number) => nodes[placeOf('cloth.at', column, row, columns, rows)];
+  const triangles = belongsTo(world, trianglesOf(nodes, columns, rows));
+  return { nodes, springs, columns, rows, at, triangles };
 }
 
 /** The number of springs but the tethers, of which a node has one at most. */
@@ -156,11 +157,14 @@ function pinnedNodes(pins: NonNullable<ClothOptions['pins']>, columns: number, r
       },
     );
   }
-  return pins.map(([column, row]) => {
-    checkWhole(column, 'cloth.pins: column', 0, columns - 1);
-    checkWhole(row, 'cloth.pins: row', 0, rows - 1);
-    return row * columns + column;
-  });
+  return pins.map(([column, row]) => placeOf('cloth.pins', column, row, columns, rows));
+}
+
+/** Returns the number of a node. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE */
+function placeOf(field: string, column: number, row: number, columns: number, rows: number): number {
+  return (
+    checkWhole(row, `${field}: row`, 0, rows - 1) * columns + checkWhole(column, `${field}: column`, 0, columns - 1)
+  );
 }
 
 /** Adds springs in sequence, so that the solver recognizes a polyline. */
@@ -239,7 +243,8 @@ function addTethers(list: SpringList, options: ClothOptions, columns: number, ro
  * Lists the triangles row by row, first those with an edge above, then those with an edge below, so that corners
  * have consecutive ids.
  */
-function trianglesOf(at: Cloth['at'], columns: number, rows: number): Uint32Array {
+function trianglesOf(nodes: Uint32Array, columns: number, rows: number): Uint32Array {
+  const at = (column: number, row: number) => nodes[row * columns + column];
   const triangles: number[] = [];
   for (let row = 0; row + 1 < rows; row++) {
     for (let c = 0; c + 1 < columns; c++) triangles.push(at(c, row), at(c, row + 1), at(c + 1, row));

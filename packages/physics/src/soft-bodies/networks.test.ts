@@ -236,6 +236,19 @@ describe('a cloth', () => {
     expect(() => clothWind({ triangles: [1, 2] })).toThrow(/E_RANGE/);
   });
 
+  test('refuses places outside the grid', () => {
+    const cloth = createCloth(network(), { corner: {}, columns: 4, rows: 3, spacing: 1, mass: 1 });
+    expect(cloth.at(3, 2)).toBe(cloth.nodes[11]);
+    for (const [column, row] of [
+      [4, 0],
+      [-1, 1],
+      [0, 3],
+      [0.5, 0],
+    ]) {
+      expect(() => cloth.at(column, row)).toThrow(/E_RANGE.*cloth\.at: (column|row)/);
+    }
+  });
+
   test('can be pinned, moved and unpinned', () => {
     const world = network({ dimensions: 3 });
     const size = { corner: {}, columns: 4, rows: 4, spacing: 0.1, mass: 1 };
