@@ -1,8 +1,11 @@
 // Removes springs whose tension exceeds their `breakForce` at the end of a step.
 //
 // The tension is that at the end of the step: under `xpbd` the mean of the constraint's over the last sub-step, its
-// impulse over h; k (d - L) by Hooke's law under the force `springs()`. The energy of a broken spring is lost. Cost: one comparison per spring and step, and none if no
-// spring can break.
+// impulse over h; k (d - L) by Hooke's law under the force `springs()`. The energy of a broken spring is lost. Under
+// `xpbd` the impulse follows from how far positions are corrected, about a h²/2 at the acceleration a = T/m of what the
+// spring holds. Of less than the rounding of a position nothing is seen: in f32, 2e-7 m at a distance of 2 m from the
+// origin, springs hold more than they should in sub-steps below 1/1200 s at 10 m/s². Cost: one comparison per spring and
+// step, and none if no spring can break.
 import { despawn } from '../bodies/spawn.ts';
 import { scanSprings } from '../forces/support/spring-table.ts';
 import { ConstraintTableWord as Word } from '../memory/layouts.gen.ts';
