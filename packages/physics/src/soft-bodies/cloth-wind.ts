@@ -9,6 +9,9 @@
 // remains, c_t near 0.01. Every triangle is in the free stream, without shielding by others. The force also damps a
 // sheet that moves in still air. 3D only. Explicit: stable while ρ c_n A |u| dt is below the mass of the triangle.
 // Cost: two square roots per triangle.
+//
+// No wind acts on what is torn: a triangle of `cloth.triangles` that lost a spring along its row or its column, and one
+// of another list that had springs along two sides or more when the force first acted, and now has fewer than two.
 
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkKeys, checkNumber } from '../errors/validate.ts';
@@ -20,9 +23,10 @@ import { type MemoryRecord, recordAt } from '../memory/record.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { type Faces, facesOf, stateOfFaces } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
+import { dropTornFaces } from './threads.ts';
 
 export interface ClothWindOptions {
-  /** Entity ids of the corners of the triangles, three each: `cloth.triangles`. */
+  /** Entity ids of the corners of the triangles, three each: `cloth.triangles`. Give that list itself, no copy of it. */
   readonly triangles: ArrayLike<number>;
   /** Velocity of the air, m/s, steady or as a function of time; default still air. */
   readonly velocity?: VectorOverTime;
@@ -41,7 +45,7 @@ export function clothWind(options: ClothWindOptions): Force {
   const normal = checkNumber(options.normal ?? 2, 'clothWind.normal', { min: 0, max: 100 });
   const tangential = checkNumber(options.tangential ?? 0.01, 'clothWind.tangential', { min: 0, max: 100 });
   const wind = timeVector(options.velocity ?? {}, 'clothWind.velocity', 'velocity', VELOCITY_BOUNDS);
-  const faces = facesOf(options.triangles, 3, 'clothWind.triangles');
+  const faces = facesOf(options.triangles, 3, 'clothWind.triangles', true);
   const sheet = forceMemory((world, take) => writeSheet(world, take, faces.of(world), [density, normal, tangential]));
   return {
     name: 'wind on cloth',
@@ -53,7 +57,7 @@ export function clothWind(options: ClothWindOptions): Force {
       ...shownVector('velocity', 'm/s', wind.steady),
     },
     reads: ['Position', 'Velocity'],
-    memory: stateOfFaces(faces, 3),
+    memory: stateOfFaces(faces, 3, true),
     local: false,
     readsOfOthers: [],
     prepare(world) {
@@ -65,6 +69,7 @@ export function clothWind(options: ClothWindOptions): Force {
         );
       }
       sheet.of(world);
+      dropTornFaces(world, faces.of(world));
     },
     releaseMemory(world) {
       sheet.release(world);

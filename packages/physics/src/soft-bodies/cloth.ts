@@ -25,6 +25,7 @@ import {
   type SpringOptions,
   spawnNetwork,
 } from './network.ts';
+import { markWoven } from './woven.ts';
 
 export interface ClothOptions extends SpringOptions {
   /** Position of the node of column 0 and row 0, m. */
@@ -100,6 +101,7 @@ export function createCloth(world: PhysicsWorld, options: ClothOptions): Cloth {
   const { nodes, springs } = spawnNetwork(world, columns * rows, bodies, list, options);
   const at = (column: number, row: number) => nodes[placeOf('cloth.at', column, row, columns, rows)];
   const triangles = belongsTo(world, trianglesOf(nodes, columns, rows));
+  if ((options.structural ?? Infinity) > 0) markWoven(triangles, columns - 1);
   return { nodes, springs, columns, rows, at, triangles };
 }
 
