@@ -12,6 +12,7 @@ import { warnAboutForces } from './force-warnings.ts';
 import { warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
 import { warnAboutPotentials } from './potential-warnings.ts';
 import { warnAboutSchemes } from './scheme-warnings.ts';
+import { warnAboutSprings } from './spring-warnings.ts';
 
 export { notePartRemoved, warnAboutDeadRef, warnAboutFreePin, warnAboutImpulse } from './body-warnings.ts';
 export { warnAboutJoint } from './joint-warnings.ts';
@@ -93,7 +94,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutFluids(world, plan, dt);
   warnAboutSchemes(world, dt);
   warnAboutPotentials(world);
-  warnAboutSprings(world);
+  warnAboutSprings(world, dt);
   warnAboutShapes(world, plan);
   warnAboutMissingPositions(world);
   warnAboutSurfaces(world, plan);
@@ -207,23 +208,6 @@ function warnAboutStrayValues(world: PhysicsWorld): void {
       warnOnce(world, warning, `${name} without the component`);
     }
   }
-}
-
-function warnAboutSprings(world: PhysicsWorld): void {
-  if (world.internal.counts.Spring === 0) return;
-  const isSolved =
-    world.integrator.solvesSprings === true || world.forces.some(({ name }) => name.startsWith('springs'));
-  if (!isSolved) {
-    warnOnce(world, {
-      message: 'Spring has no effect, because neither a force nor the integrator of this world solves springs.',
-      hint: 'Add springs() to `forces`, or take the integrator xpbd() for springs of any stiffness.',
-    });
-  }
-  if (world.internal.breaksSprings || firstRow(world, (id) => world.components.Spring.breakForce[id] > 0) === 0) return;
-  warnOnce(world, {
-    message: 'springs with a `breakForce` do not break, because no system of this world breaks springs.',
-    hint: 'Add the system: world.phases.finish.push(breakSprings).',
-  });
 }
 
 /** What falls is meant to land on a box, and a box to meet others as a box. */

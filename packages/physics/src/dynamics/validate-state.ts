@@ -142,7 +142,7 @@ const LIMITS = [
 
 /** Networks of springs may need shorter steps than each spring by itself, of which `step` knows. */
 const SPRING_HINT = {
-  hint: 'Springs may be the cause: a network needs steps up to three times shorter than each of its springs. Use a smaller dt, softer springs, or the integrator xpbd(); or check the force that accelerates the body.',
+  hint: 'Springs may be the cause: a network needs steps shorter than each of its springs does. Use a smaller dt, softer springs, or the integrator xpbd(); or check the force that accelerates the body.',
 };
 
 function springHint({ internal, integrator }: PhysicsWorld): { readonly hint?: string } {
