@@ -7,9 +7,15 @@
 //
 // Boyle and Mariotte's law; the gas is in equilibrium throughout and has no mass. On a closed surface the forces are
 // the exact gradient of the volume, so their sum and their torque are zero. A surface that is inverted (V <= 0) or
-// lost a node exerts no force; the gas of one that lost all of them leaves world.forces. Explicit: the step must resolve
-// the breathing mode of the body, about dt < 2 √(m V / p) / A. Source: Matyka, Ollila: Pressure model of soft body
-// simulation (2003). Cost: a few operations per face, twice per evaluation.
+// lost a node exerts no force; the gas of one that lost all of them leaves world.forces. Explicit: steps must resolve
+// the springs of the skin (ω_s, see springs), the body that breathes and the skin that wrinkles, and no step warns:
+//
+//   dt < 2/√(ω_s² + ω_b² + ω_w²)        ω_b² = p A²/(m V)        ω_w² = (p - p_a) s/m_1
+//
+//   A  surface, m²    m  mass of the body, kg    m_1  mass of a node, kg    s  length of an edge, m; in 2D 1 m, the depth
+//
+// A skin so soft that the gas swells it to some times its size swings back faster than that. Source: Matyka, Ollila:
+// Pressure model of soft body simulation (2003). Cost: a few operations per face, twice per evaluation.
 
 import { checkKeys, checkNumber, checkWhole } from '../errors/validate.ts';
 import { log } from '../math/elementary.ts';
