@@ -68,6 +68,7 @@ export {
   type Endings,
   emitterCounts,
   endings,
+  endParticle,
   moveEmitter,
   setEmitter,
   setRate,

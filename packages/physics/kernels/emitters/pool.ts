@@ -70,9 +70,10 @@ export function link(e: Emitter, slot: u32): void {
   e.alive++;
 }
 
-// Ends the particle of a slot. A slot whose entity was removed is dropped.
+// Ends the particle of a slot. A slot whose entity was removed is dropped: its particle has ended, too.
 export function end(e: Emitter, slot: u32): void {
   unlink(e, slot);
+  e.ended += 1;
   if (!ownsEntity(e, slot)) return;
   const row = word(e.ids, slot);
   report(e, row);
@@ -83,7 +84,6 @@ export function end(e: Emitter, slot: u32): void {
   if (tail >= e.capacity) tail -= e.capacity;
   putWord(e.free, tail, slot);
   e.freeCount++;
-  e.ended += 1;
   e.changed = 1;
 }
 

@@ -105,6 +105,7 @@ export function lacksVelocity(names: readonly ComponentName[]): boolean {
 /**
  * Removes a body with its parts (or a wall, or a spring) and its entity. During a step removal takes effect at the end of the step;
  * until then the body takes part in the step, but `isAlive` is false for it, and removing it again does nothing.
+ * A particle of an emitter ends instead as by `endParticle`: its entity stays in the pool, and waits for the next birth.
  * @throws PhysicsError E_STALE if there is no entity with this id, E_DESTROYED; and exceptions of user observers, after
  *   the entity is removed
  */
@@ -121,8 +122,9 @@ export function mayDespawn(world: PhysicsWorld, eid: number): boolean {
   return Number.isInteger(eid) && entityExists(world, eid) && hasAny(world, eid);
 }
 
-/** Removes what `mayDespawn`, during a step when it ends. */
+/** Removes what `mayDespawn`, during a step when it ends. The entity of a particle stays in the pool of its emitter. */
 export function remove(world: PhysicsWorld, eid: number): void {
+  if (world.internal.endIfPooled?.(world, eid)) return;
   if (world.state === 'stepping') despawnLater(world, eid);
   else removeWithParts(world, eid);
 }

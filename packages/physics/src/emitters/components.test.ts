@@ -44,4 +44,16 @@ describe('particles of an emitter', () => {
     expect(codeOf(() => emitting({ charge: '1' as never }))).toBe('E_TYPE');
     expect(codeOf(() => emitting({ gravityScale: 1e7 }))).toBe('E_RANGE');
   });
+
+  it('pass its layers, mask and group on to the colliders, which keep them from one life to the next', () => {
+    const { world, emitter } = emitting({
+      capacity: 3,
+      lifetime: 0.1,
+      collider: { radius: 0.1, layers: 2, mask: 5, group: -1 },
+    });
+    burst(emitter, 3);
+    run(world, 0.5);
+    const { layers, mask, group } = world.components.Collider;
+    for (const id of emitter.ids) expect([layers[id], mask[id], group[id]]).toEqual([2, 5, -1]);
+  });
 });

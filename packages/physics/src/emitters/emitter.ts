@@ -1,6 +1,6 @@
-import { entityRef } from '../ecs/entity-ref.ts';
+import { entityRef, staleError } from '../ecs/entity-ref.ts';
 import { assertOutsideStep, assertUsable, whenIdle } from '../ecs/guards.ts';
-import { PhysicsError } from '../errors/physics-error.ts';
+import { describe, PhysicsError } from '../errors/physics-error.ts';
 import {
   checkChoice,
   checkFlag,
@@ -17,6 +17,7 @@ import { BurstNumber } from '../memory/layouts.gen.ts';
 import type { MemoryRecord } from '../memory/record.ts';
 import { markImmutable } from '../memory/resource.ts';
 import type { PhysicsWorld } from '../world/types.ts';
+import { endIfPooled, listsOf, markOver, slotOfParticle } from './early-end.ts';
 import { emitParticles, emittersOf } from './emit.ts';
 import { emitterKernels } from './kernels.ts';
 import {
@@ -29,7 +30,7 @@ import {
   parametersOf,
 } from './options.ts';
 import { addressOf, type BurstPattern } from './pattern.ts';
-import { type Block, layOut, makeBodies, maxBursts, poolOf, removeBodies, returnBlock, takeBlock } from './pool.ts';
+import { type Block, layOut, makeBodies, maxBursts, removeBodies, returnBlock, takeBlock } from './pool.ts';
 import { BURST_BYTES, MAX_STOPS, N, W } from './record.ts';
 import type { Emitter } from './types.ts';
 
@@ -97,6 +98,7 @@ function makeEmitter(world: PhysicsWorld, options: EmitterOptions): Emitter {
     },
   };
   emittersOf(world).list.push(emitter);
+  world.internal.endIfPooled = endIfPooled;
   if (!world.phases.emit.includes(emitParticles)) world.phases.emit.push(emitParticles);
   return emitter;
 }
@@ -262,6 +264,24 @@ const SCALE_BOUNDS = { min: -1e6, max: 1e6 };
 const POSITION_BOUNDS = { min: -1e15, max: 1e15 };
 const VELOCITY_BOUNDS = { min: -1e9, max: 1e9 };
 
+/**
+ * Ends one particle before its time, at the beginning of the next step: before anything moves, as one whose life is over. It
+ * counts as ended, is among `endings`, and its place is free for the next birth. During a step, in handlers and systems, too.
+ * `despawn` of a particle does the same. A second call has no effect.
+ * @throws PhysicsError E_STALE if the id is that of no living particle of this emitter, or the emitter was destroyed;
+ *   E_TYPE, E_DESTROYED
+ */
+export function endParticle(emitter: Emitter, id: number): void {
+  recordOf(emitter);
+  const slot = slotOfParticle(emitter, id);
+  if (slot < 0) {
+    throw staleError(id, `${describe(id)} is no living particle of this emitter: it may have ended already.`, LIVING);
+  }
+  markOver(emitter, slot);
+}
+
+const LIVING = 'Its living particles are those of emitter.ids with a mass.';
+
 /** Returns the number of living particles. @throws PhysicsError E_STALE, E_DESTROYED */
 export function aliveCount(emitter: Emitter): number {
   return recordOf(emitter).words[W.alive];
@@ -333,9 +353,9 @@ export interface Births {
 export function births(emitter: Emitter): Births {
   const { words } = recordOf(emitter);
   const { world, capacity, internal } = emitter;
-  internal.pool ??= poolOf(world.memory, words, capacity);
   internal.births ??= { count: 0, ids: new Uint32Array(capacity) };
-  const { pool, births: found } = internal;
+  const pool = listsOf(emitter);
+  const { births: found } = internal;
   found.count = 0;
   let slot = words[W.newest];
   for (let left = words[W.newborns]; left > 0 && slot !== NO_SLOT; left--, slot = pool.older[slot]) {

@@ -88,6 +88,12 @@ export interface EmitterOptions extends EmitterParameters {
     readonly restitution?: number;
     /** Default 0. */
     readonly friction?: number;
+    /** Layers that it is on, bits; default 1. */
+    readonly layers?: number;
+    /** Layers that it collides with, bits; default all. A mask without its own layers lets particles pass through each other. */
+    readonly mask?: number;
+    /** Rigid bodies of one group collide with each other always if it is positive, and never if it is negative. Default 0. */
+    readonly group?: number;
   };
   /** Whether mutual forces act on the particles and not back: see the component TestParticle. Default false. */
   readonly testParticle?: boolean;
@@ -129,6 +135,8 @@ const FIXED = [
   'reportEndings',
 ] as const;
 
+const COLLIDER = ['radius', 'restitution', 'friction', 'layers', 'mask', 'group'];
+
 type Triple = readonly [x: number, y: number, z: number];
 
 /** The validated parameters in the layout of the record. */
@@ -160,7 +168,7 @@ export function checkFollows({ offset, frame = 'world', entity }: EmitterParamet
 export function checkOptionNames(options: unknown, caller: string, live: boolean): void {
   checkKeys(options, caller, live ? PARAMETERS : [...PARAMETERS, ...FIXED]);
   const { collider } = options as EmitterOptions;
-  if (collider !== undefined) checkKeys(collider, 'collider', ['radius', 'restitution', 'friction']);
+  if (collider !== undefined) checkKeys(collider, 'collider', COLLIDER);
 }
 
 /** Returns the options that can be changed later. */

@@ -88,12 +88,21 @@ export function layOut(world: PhysicsWorld, { record, reports }: Block, capacity
   words[W.dimensions] = world.dimensions;
 }
 
-/** For each slot: its entity, the generation that the pool owns, and the next older particle. */
-export type PoolLists = Readonly<Record<'ids' | 'generation' | 'older', Uint32Array>>;
+/** For each slot: its entity, the generation that the pool owns, the next older particle, and the times of its life, s. */
+export interface PoolLists extends Readonly<Record<'ids' | 'generation' | 'older', Uint32Array>> {
+  readonly bornAt: Float64Array;
+  readonly lifetime: Float32Array;
+}
 
 export function poolOf({ buffer }: WebAssembly.Memory, words: Uint32Array, capacity: number): PoolLists {
   const list = (at: number) => new Uint32Array(buffer, words[at], capacity);
-  return { ids: list(W.ids), generation: list(W.generation), older: list(W.older) };
+  return {
+    ids: list(W.ids),
+    generation: list(W.generation),
+    older: list(W.older),
+    bornAt: new Float64Array(buffer, words[W.bornAt], capacity),
+    lifetime: new Float32Array(buffer, words[W.lifetime], capacity),
+  };
 }
 
 /**
@@ -137,6 +146,12 @@ export function dropIncomplete(world: PhysicsWorld, { words }: MemoryRecord): vo
 
 /** Components that the creation of a particle writes. */
 const WRITTEN = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Appearance');
+
+/** Whether the pool owns the entity of a slot: it was not removed and has what the creation of a particle writes. */
+export function ownsSlot({ internal }: PhysicsWorld, { ids, generation }: PoolLists, slot: number): boolean {
+  const id = ids[slot];
+  return internal.generations[id] === generation[slot] && (internal.members[id] & WRITTEN) === WRITTEN;
+}
 
 /** A generation that no row reaches. */
 const NO_GENERATION = 0xffffffff;

@@ -1,10 +1,10 @@
+import { removeEntity } from 'bitecs';
 import { expect, test } from 'vitest';
 import {
   box,
   burst,
   createEmitter,
   createPhysicsWorld,
-  despawn,
   destroyEmitter,
   type EmitterOptions,
   nearestPoint,
@@ -68,9 +68,9 @@ test('rays and shapes meet a particle with a collider while it lives', () => {
   expect(metNear()).toEqual(nothing);
 });
 
-test('a body in the row of a despawned particle counts, and the rows of a destroyed emitter are free', () => {
+test('a body in the row of a particle that was removed through bitECS counts, and the rows of a destroyed emitter are free', () => {
   const { world, emitter } = bodiesAndPool();
-  despawn(world, emitter.ids[0]);
+  removeEntity(world, emitter.ids[0]);
   const heir = spawn(world, { position: {}, velocity: {}, mass: 1, collider: 0.5 });
   expect(heir).toBe(emitter.ids[0]);
   expect(bodyAt(world, { x: 0.4 })).toBe(heir);

@@ -213,6 +213,7 @@ function initialInternals(components: Components) {
     justAdded: zeros(),
     checked: undefined,
     spawning: 0,
+    endIfPooled: undefined,
     newParts: [],
     unobserved: new Set(),
     templates: new Map(),

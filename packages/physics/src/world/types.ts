@@ -366,6 +366,8 @@ export interface WorldInternals {
   checked: FieldValues | undefined;
   /** Number of calls of `spawn` and `spawnMany` whose bodies are not complete: an observer of one may call the next. */
   spawning: number;
+  /** Of the emitters: ends a particle whose entity is despawned, and returns whether the entity belongs to a pool. */
+  endIfPooled: ((world: PhysicsWorld, eid: number) => boolean) | undefined;
   /** bitECS's queries of our components whose additions only the engine observes. */
   readonly unobserved: Set<Query>;
   /** Component values that prefabs pass to their instances. */
