@@ -2,7 +2,8 @@
 // coefficients, reals, are consecutive in memory.
 import { LANES, accelerationOf, add, at, mul, splat, sub } from '../memory/lanes';
 
-// to = base + sum of coefficient[k] column[k], for k < count.
+// to = base + sum of coefficient[k] column[k], for k < count. The base, which is much larger than the terms, is added last: each sum
+// with it is rounded to its last digit, always to the same side where a term changes slowly.
 export function combineAxis(
   to: usize,
   base: usize,
@@ -15,15 +16,15 @@ export function combineAxis(
 ): void {
   for (let row = first; row < last; row += LANES) {
     const o = at(row);
-    let sum = v128.load(base + o);
-    let column = columns + o;
-    let coefficient = coefficients;
-    for (let k = 0; k < count; k++) {
+    let sum = mul(v128.load(columns + o), v128.load_splat<real>(coefficients));
+    let column = columns + stride + o;
+    let coefficient = coefficients + sizeof<real>();
+    for (let k = 1; k < count; k++) {
       sum = add(sum, mul(v128.load(column), v128.load_splat<real>(coefficient)));
       column += stride;
       coefficient += sizeof<real>();
     }
-    v128.store(to + o, sum);
+    v128.store(to + o, add(v128.load(base + o), sum));
   }
 }
 

@@ -159,3 +159,20 @@ describe('implicitEuler', () => {
     }
   });
 });
+
+describe('dormandPrince in f32', () => {
+  test.each([60, 240, 960])('keeps the energy of a round orbit to rounding, in steps of 1/%d s', (rate) => {
+    const world = createPhysicsWorld({
+      capacity: 4,
+      precision: 'f32',
+      forces: [attractors()],
+      integrator: dormandPrince(),
+    });
+    spawn(world, { position: {}, attractor: 100 });
+    spawn(world, { position: { x: 5 }, velocity: { y: Math.sqrt(20) }, mass: 1 });
+    const start = energy(world).total;
+    // Ten periods of 2π √(5³/100) s = 7 s. A walk of as many roundings of 6e-8 at random is 1.5e-5 with the shortest steps.
+    for (let i = 0; i < 70 * rate; i++) step(world, 1 / rate);
+    expect(Math.abs(energy(world).total / start - 1)).toBeLessThan(5e-5);
+  });
+});
