@@ -3,6 +3,7 @@ import {
   box,
   createPhysicsWorld,
   rigidBodies,
+  type SoftStepOptions,
   softStep,
   spawn,
   springs,
@@ -41,6 +42,37 @@ test('docs/rigid-bodies.md: a ball of 1 cm that falls from 4 cm with e = 0.7 sta
   expect(rise(0.04, 0.7, 0.005, 0.1)).toBeGreaterThan(0.0185);
   expect(rise(0.04, 0.7, 0.005, 0.1)).toBeLessThan(0.0197);
 });
+
+/** How far the lowest of a column of equal discs overlaps the next one at rest, m. */
+function overlapOfColumn(count: number, dt: number, options: SoftStepOptions): number {
+  const radius = 0.05;
+  const forces = [uniformGravity({ y: -9.81 })];
+  const world = createPhysicsWorld({ preset: rigidBodies, precision: 'f64', forces, integrator: softStep(options) });
+  spawn(world, { position: { y: -0.5 }, collider: { shape: box(4, 1) } });
+  for (const side of [-1, 1]) spawn(world, { position: { x: 0.56 * side, y: 5 }, collider: { shape: box(1, 12) } });
+  const discs = Array.from({ length: count }, (_, i) =>
+    spawn(world, { position: { y: (2 * i + 1) * radius }, collider: { radius, density: 1000 } }),
+  );
+  for (let i = 0; i < 4 / dt; i++) step(world, dt);
+  const { x, y } = world.components.Position;
+  return 2 * radius - Math.hypot(x[discs[1]] - x[discs[0]], y[discs[1]] - y[discs[0]]);
+}
+
+test.each([
+  [1 / 60, {}],
+  [1 / 60, { substeps: 16 }],
+  [1 / 240, {}],
+  [1 / 60, { substeps: 16, contactHertz: 120 }],
+  [1 / 240, { contactHertz: 120 }],
+] as const)(
+  'docs/rigid-bodies.md: n discs press one into another by 2 n g/ω², in steps of %d s with %o',
+  (dt, options) => {
+    const { contactHertz = 30 } = options as SoftStepOptions;
+    const expected = (2 * 20 * 9.81) / (2 * Math.PI * contactHertz) ** 2;
+    // The lowest of 21 carries 20.
+    expect(Math.abs(overlapOfColumn(21, dt, options) / expected - 1)).toBeLessThan(0.05);
+  },
+);
 
 /** How much slower, as a factor, three bodies turn after ten seconds that began at 3 rad/s. */
 function slowing(places: readonly (readonly [x: number, y: number])[], pairs: readonly (readonly [number, number])[]) {
