@@ -312,8 +312,8 @@ it('names forces of pairs that are restricted to some bodies', () => {
   expect(warned({ from: 0 })).toBe('');
 });
 
-it('names fuel that is more than the mass that includes it', () => {
-  const warned = (mass: number) => {
+it('names fuel that is more than the mass that includes it, and an engine without mass', () => {
+  const warned = (mass?: number) => {
     const { world, messages } = warnedWorld({ forces: [rocketEngines()] });
     spawn(world, { position: {}, mass, engine: { exhaustSpeed: 100, burnRate: 1, fuel: 5 } });
     step(world, 0.01);
@@ -321,6 +321,7 @@ it('names fuel that is more than the mass that includes it', () => {
   };
   expect(warned(1)).toMatch(/^body 1 has 4.99\d* kg of fuel in a mass of 0.99\d* kg, which includes the fuel\.$/);
   expect(warned(6)).toBe('');
+  expect(warned()).toMatch(/^the engine of body 1 pushes nothing, because the body has no Mass\.$/);
 });
 
 it('names a law whose potential is not that of its force', () => {

@@ -153,17 +153,19 @@ function warnAboutRestrictedPairs(world: PhysicsWorld): void {
   }
 }
 
-/** Fuel is part of the mass. */
+/** Fuel is part of the mass. A body with Mass and the value 0 waits in the pool of an emitter, or has burnt all of it. */
 function warnAboutFuel(world: PhysicsWorld): void {
   if (world.internal.counts.Engine === 0) return;
   const { Engine, Mass } = world.components;
-  const light = firstRow(world, (id) => Mass.value[id] > 0 && Engine.fuel[id] >= Mass.value[id]);
+  const isMassless = (id: number) => (world.internal.members[id] & bitOf('Mass')) === 0;
+  const isTooLight = (id: number) => Mass.value[id] > 0 && Engine.fuel[id] >= Mass.value[id];
+  const light = firstRow(world, (id) => isTooLight(id) || (Engine.exhaustSpeed[id] > 0 && isMassless(id)));
   if (light === 0) return;
-  const warning = {
-    message: `body ${light} has ${Engine.fuel[light]} kg of fuel in a mass of ${Mass.value[light]} kg, which includes the fuel.`,
-    hint: 'Give `mass` as the sum of the empty mass and the fuel.',
-  };
-  warnOnce(world, warning, 'fuel above mass');
+  const message = isMassless(light)
+    ? `the engine of body ${light} pushes nothing, because the body has no Mass.`
+    : `body ${light} has ${Engine.fuel[light]} kg of fuel in a mass of ${Mass.value[light]} kg, which includes the fuel.`;
+  const hint = 'Give `mass` as the sum of the empty mass and the fuel.';
+  warnOnce(world, { message, hint }, 'fuel above mass');
 }
 
 /** Worlds of rigid bodies ask this of every body. */
