@@ -21,14 +21,14 @@ export const bundles = [
     name: 'particles',
     title: 'particles with forces, integrators, walls and diagnostics',
     imports: particles,
-    limits: [64.3, 60.9],
+    limits: [64.6, 61.3],
   },
-  { name: 'with emitters', title: 'with emitters', imports: `${particles} ${emitters}`, limits: [76.7, 72.3] },
+  { name: 'with emitters', title: 'with emitters', imports: `${particles} ${emitters}`, limits: [77.3, 73] },
   {
     name: 'with contacts',
     title: 'with contacts',
     imports: `${particles} ${emitters} ${contacts}`,
-    limits: [106.1, 89],
+    limits: [107, 89.9],
   },
   {
     name: 'rigid bodies in 2D',
@@ -36,5 +36,5 @@ export const bundles = [
     imports: rigid,
     limits: [226.6, 152.4],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [382.6, 271] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [384, 272.5] },
 ];
