@@ -5,9 +5,9 @@
 //   v += J n / m      J = -(1 + e) m v·n      e = 0 for slow impacts; friction: at most μ J, until the surface is at rest
 //
 // Without that it would be stopped at each segment, and the rest of the step would be lost.
+import { AFTER, BEFORE, END, START, isChainSegment, turnAt } from '../../collision/narrow-phase/2d/chain-segment';
 import { RigidContact } from '../../collision/narrow-phase/2d/rigid-contact';
 import { mixMaterials } from '../../collision/narrow-phase/2d/mix-materials';
-import { PLANE, Shape, vertexX, vertexY } from '../../collision/shapes/2d/shape';
 import { BodyState, poseOf, stateOf } from './body';
 import { findImpact, impact, spareA } from './first-impact';
 import { turnState } from './integrate-bodies';
@@ -55,20 +55,10 @@ export function rollOn(t: RigidTable, row: i32, first: real): real {
 //   cos(β)^(α/β) / cos α = (1 - α β / 2 + ...) / cos α
 function keptOf(t: RigidTable, sine: real): real {
   const shape = shapeAt(t, impact.other, spareA);
-  // A half-plane is marked as chained, too, and has no vertices.
-  if (shape.isChained == 0 || shape.kind == PLANE) return 1;
-  const bend = max<real>(bendAt(shape, 2, 0, 1), bendAt(shape, 0, 1, 3));
+  if (!isChainSegment(shape)) return 1;
+  const bend = max<real>(abs<real>(turnAt(shape, BEFORE, START, END)), abs<real>(turnAt(shape, START, END, AFTER)));
   if (sine <= bend) return 1;
   return (<real>1 - <real>0.5 * sine * bend) / sqrt<real>(<real>1 - sine * sine);
-}
-
-// Sine of the angle between two segments of a chain that meet at a vertex.
-function bendAt(shape: Shape, before: i32, at: i32, after: i32): real {
-  const ax = vertexX(shape, at) - vertexX(shape, before);
-  const ay = vertexY(shape, at) - vertexY(shape, before);
-  const bx = vertexX(shape, after) - vertexX(shape, at);
-  const by = vertexY(shape, after) - vertexY(shape, at);
-  return abs<real>(ax * by - ay * bx) / sqrt<real>((ax * ax + ay * ay) * (bx * bx + by * by));
 }
 
 // Whether the body goes on: what meets a surface at more than 45 degrees is left to the contact of the next step.

@@ -4,7 +4,7 @@
 //
 // The surface has at a convex vertex all normals between those of its two segments, and at a concave or flat one none
 // but those.
-import { CIRCLE, Shape, normalX, normalY, vertexX, vertexY } from '../../shapes/2d/shape';
+import { CIRCLE, PLANE, Shape, normalX, normalY, vertexX, vertexY } from '../../shapes/2d/shape';
 import { clipEdges } from './clip-edges';
 import { Manifold, addRoundedPoint, setNormal, toWorld } from './manifold';
 import { collidePolygons } from './polygon-polygon';
@@ -16,21 +16,31 @@ const otherInChain = changetype<RelativePose>(memory.data(offsetof<RelativePose>
 const TOLERANCE: real = 0.01;
 
 // The vertices of a chained segment: the far end of the neighbour before, its own two, the far end of the neighbour after.
-const BEFORE: i32 = 2;
-const START: i32 = 0;
-const END: i32 = 1;
-const AFTER: i32 = 3;
+export const BEFORE: i32 = 2;
+export const START: i32 = 0;
+export const END: i32 = 1;
+export const AFTER: i32 = 3;
 
 export function collideChainSegment(m: Manifold, chain: Shape, other: Shape): void {
   poseOfB(otherInChain, m);
   const x = otherInChain.x;
   const y = otherInChain.y;
-  const nx = normalX(chain, 0);
-  const ny = normalY(chain, 0);
   // What has its centre behind the segment comes from there, and passes.
-  if ((x - vertexX(chain, START)) * nx + (y - vertexY(chain, START)) * ny < 0) return;
+  if (isBehind(chain, x, y)) return;
   if (other.kind == CIRCLE) collideCircle(m, chain, other, x, y);
   else collideOutline(m, chain, other);
+}
+
+// A half-plane is marked as chained, too, and has no vertices.
+// @ts-ignore: decorator
+@inline export function isChainSegment(shape: Shape): bool {
+  return shape.isChained != 0 && shape.kind != PLANE;
+}
+
+// Whether a point of the frame of the segment is on the side that bodies pass.
+// @ts-ignore: decorator
+@inline export function isBehind(chain: Shape, x: real, y: real): bool {
+  return (x - vertexX(chain, START)) * normalX(chain, 0) + (y - vertexY(chain, START)) * normalY(chain, 0) < 0;
 }
 
 // Of a vector of the frame of the segment, the component along the edge between two of its vertices.
@@ -86,7 +96,7 @@ function collideOutline(m: Manifold, chain: Shape, other: Shape): void {
 }
 
 // Sine of the angle by which the chain turns to the left at a vertex, which is convex where it is positive.
-function turnAt(chain: Shape, before: i32, at: i32, after: i32): real {
+export function turnAt(chain: Shape, before: i32, at: i32, after: i32): real {
   const ax = vertexX(chain, at) - vertexX(chain, before);
   const ay = vertexY(chain, at) - vertexY(chain, before);
   const bx = vertexX(chain, after) - vertexX(chain, at);
