@@ -1,7 +1,7 @@
 // Warnings about springs that do nothing, and about networks of springs that steps cannot follow.
 import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
-import { longestStep, type NetworkSpring, networkRates } from '../math/spring-network.ts';
+import { longestStep, type NetworkSpring, networkRates, networkSpring } from '../math/spring-network.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
 
@@ -61,20 +61,18 @@ const TAUT = 0.999;
 
 /** Lists the springs that act: those with two living ends, and of strings those that are not slack. */
 function listNetwork(world: PhysicsWorld): NetworkSpring[] {
-  const { Spring, Mass } = world.components;
+  const { Spring } = world.components;
   const { members, generations } = world.internal;
   const [spring, position] = [bitOf('Spring'), bitOf('Position')];
   const isAlive = (id: number, generation: number) =>
     id > 0 && id < world.rows && (members[id] & position) !== 0 && generations[id] === generation;
-  const inverse = (mass: number) => (mass > 0 ? 1 / mass : 0);
   const network: NetworkSpring[] = [];
   for (let id = 1; id <= world.lastId; id++) {
     if ((members[id] & spring) === 0) continue;
     const [a, b] = [Spring.a[id], Spring.b[id]];
     if (a === b || !isAlive(a, Spring.aGeneration[id]) || !isAlive(b, Spring.bGeneration[id])) continue;
     if (Spring.tensionOnly[id] !== 0 && lengthBetween(world, a, b) < TAUT * Spring.length[id]) continue;
-    const [stiffness, damping] = [Spring.stiffness[id], Spring.damping[id]];
-    network.push({ id, a, b, stiffness, damping, inverseA: inverse(Mass.value[a]), inverseB: inverse(Mass.value[b]) });
+    network.push(networkSpring(world, id, a, b));
   }
   return network;
 }

@@ -24,6 +24,9 @@ const ID_SPAN = 2 ** 24;
 /** Maximum capacity of a world. */
 export const MAX_CAPACITY = ID_SPAN - 1;
 
+/** A generation that no row reaches: kernels take who has it as removed. */
+export const NO_GENERATION = 0xffffffff;
+
 /** Generations per row before references repeat: one row reused a thousand times a second for six days. */
 const MAX_GENERATIONS = 2 ** 29;
 

@@ -3,6 +3,7 @@
 import { spawnMany } from '../bodies/spawn-many.ts';
 import { bitOf } from '../components/membership.ts';
 import { removeEntityCompletely } from '../ecs/bitecs/remove-entity.ts';
+import { NO_GENERATION } from '../ecs/entity-ref.ts';
 import { checkFlag } from '../errors/validate.ts';
 import { allocate } from '../memory/arena.ts';
 import { writeWaiting } from '../memory/column-table.ts';
@@ -152,9 +153,6 @@ export function ownsSlot({ internal }: PhysicsWorld, { ids, generation }: PoolLi
   const id = ids[slot];
   return internal.generations[id] === generation[slot] && (internal.members[id] & WRITTEN) === WRITTEN;
 }
-
-/** A generation that no row reaches. */
-const NO_GENERATION = 0xffffffff;
 
 /** Removes the entities that the pool still owns. */
 export function removeBodies(world: PhysicsWorld, { words }: MemoryRecord): void {

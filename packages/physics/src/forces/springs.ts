@@ -23,7 +23,7 @@
 
 import { assertUsable } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { longestStep, type NetworkSpring } from '../math/spring-network.ts';
+import { inverseMass, longestStep, type NetworkSpring, networkSpring } from '../math/spring-network.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import {
   activeSprings,
@@ -117,17 +117,10 @@ function assertStable(world: PhysicsWorld, table: SpringTable, dt: number): void
 }
 
 function networkOf(world: PhysicsWorld, table: SpringTable): NetworkSpring[] {
-  const { Spring, Mass } = world.components;
   const links = activeSprings(world, table);
-  return Array.from({ length: links.length / 3 }, (_, i) => {
-    const [id, a, b] = [links[3 * i], links[3 * i + 1], links[3 * i + 2]];
-    const [stiffness, damping] = [Spring.stiffness[id], Spring.damping[id]];
-    return { id, a, b, stiffness, damping, inverseA: inverseMass(Mass.value[a]), inverseB: inverseMass(Mass.value[b]) };
-  });
-}
-
-function inverseMass(mass: number): number {
-  return mass > 0 ? 1 / mass : 0;
+  return Array.from({ length: links.length / 3 }, (_, i) =>
+    networkSpring(world, links[3 * i], links[3 * i + 1], links[3 * i + 2]),
+  );
 }
 
 /** The stiffness that stands for infinity in the column. */

@@ -4,7 +4,7 @@
 //
 // Gershgorin's bound of K x = ω² M x, whatever the directions of the springs: exact for a single spring and for a long
 // chain. Dampings obey the same bound.
-import type { Integrator } from '../world/types.ts';
+import type { Integrator, PhysicsWorld } from '../world/types.ts';
 
 export interface NetworkSpring {
   readonly id: number;
@@ -17,6 +17,18 @@ export interface NetworkSpring {
   /** Inverse masses of the ends, 1/kg; 0 for an anchor. */
   readonly inverseA: number;
   readonly inverseB: number;
+}
+
+/** Reads a spring between two bodies. */
+export function networkSpring({ components }: PhysicsWorld, id: number, a: number, b: number): NetworkSpring {
+  const { Spring, Mass } = components;
+  const [stiffness, damping] = [Spring.stiffness[id], Spring.damping[id]];
+  return { id, a, b, stiffness, damping, inverseA: inverseMass(Mass.value[a]), inverseB: inverseMass(Mass.value[b]) };
+}
+
+/** 1/kg; 0 for an anchor. */
+export function inverseMass(mass: number): number {
+  return mass > 0 ? 1 / mass : 0;
 }
 
 /** Bounds at each spring of a network: of ω², 1/s², and of γ, 1/s. */

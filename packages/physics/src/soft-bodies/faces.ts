@@ -1,7 +1,7 @@
 // Edges or triangles of a soft body, copied to the world's memory for kernels: the first corners of all faces, the
 // second corners and so on, then the generations of all corners in the same order.
 
-import { assertBody, hasBody } from '../ecs/entity-ref.ts';
+import { assertBody, hasBody, NO_GENERATION } from '../ecs/entity-ref.ts';
 import { assertBelongs } from '../ecs/id-lists.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { type ForceMemory, forceMemory, type TakeBytes } from '../memory/force-memory.ts';
@@ -86,8 +86,8 @@ function copyFaces(world: PhysicsWorld, take: TakeBytes, { ids, corners, field, 
   for (let i = 0; i < ids.length; i++) {
     const word = count * (i % corners) + Math.floor(i / corners);
     words[word] = ids[i];
-    // No generation is this high, so a node that does not exist counts as removed.
-    words[word + ids.length] = hasBody(world, ids[i]) ? generations[ids[i]] : 0xffffffff;
+    // A node that does not exist counts as removed.
+    words[word + ids.length] = hasBody(world, ids[i]) ? generations[ids[i]] : NO_GENERATION;
   }
   return { at, count, sections, threads, quads: quadsPerRow(ids), membership: -1 };
 }

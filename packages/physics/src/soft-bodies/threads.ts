@@ -3,12 +3,10 @@
 // The triangles of a cloth are held while the springs along their row and their column last: those along diagonals are
 // there against shear, and many cloths have none. In other lists a triangle is held while two of its sides have springs,
 // so that it cannot spread.
+import { NO_GENERATION } from '../ecs/entity-ref.ts';
 import { activeSprings, scanSprings } from '../forces/support/spring-table.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import type { Faces } from './faces.ts';
-
-/** The generation of a corner of a torn triangle. No body has it, so that kernels take the corner as removed. */
-const TORN = 0xffffffff;
 
 /** The number of sides with springs that hold a triangle. */
 const MIN_SIDES = 2;
@@ -73,9 +71,9 @@ function findThreads(
   return held;
 }
 
-/** A triangle without its first corner, in a part of the list that is no longer a quad strip: both are left out by kernels. */
+/** A triangle without its first corner, which kernels take as removed, in a part of the list that is no longer a quad strip: both are left out by kernels. */
 function takeOut(world: PhysicsWorld, { count, sections }: Faces, corners: Uint32Array, face: number): void {
-  corners[3 * count + face] = TORN;
+  corners[3 * count + face] = NO_GENERATION;
   const words = new Uint32Array(world.memory.buffer, sections);
   let section = 0;
   while (words[2 * section + 2] <= face) section++;
