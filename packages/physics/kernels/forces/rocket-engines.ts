@@ -6,6 +6,8 @@ import { logarithm } from '../math/elementary';
 @unmanaged
 export class EngineColumns {
   fuel: usize;
+  fuelRemainder: usize;
+  massRemainder: usize;
   burnRate: usize;
   throttle: usize;
   exhaustSpeed: usize;
@@ -18,7 +20,8 @@ export class EngineColumns {
 }
 
 // Burns the fuel of a step: fuel and mass decrease by the same amount b, and the engine's thrust becomes the constant
-// force that gives the remaining mass exactly the velocity v_e ln(m / (m - b)) in the step (Tsiolkovsky).
+// force that gives the remaining mass exactly the velocity v_e ln(m / (m - b)) in the step (Tsiolkovsky). What a step burns
+// may be less than the last digit of a mass in single precision: what both are rounded by is kept for the next step.
 export function burnFuel(engines: usize, dt: f64, first: i32, last: i32): void {
   const e = changetype<EngineColumns>(engines);
   const fuel = e.fuel;
@@ -26,23 +29,38 @@ export function burnFuel(engines: usize, dt: f64, first: i32, last: i32): void {
   const tx = e.thrustX;
   const ty = e.thrustY;
   const tz = e.thrustZ;
-  const c = columns();
+  const masses = columns().mass;
   for (let row = first; row < last; row++) {
     if (get(rate, row) == 0 && get(tx, row) == 0 && get(ty, row) == 0 && get(tz, row) == 0) continue;
-    const mass = get(c.mass, row);
-    const available = get(fuel, row);
-    const requested = <real>(<f64>get(rate, row) * <f64>get(e.throttle, row) * dt);
+    const mass = exact(masses, e.massRemainder, row);
+    const available = get(fuel, row) > 0 ? exact(fuel, e.fuelRemainder, row) : 0;
+    const requested = <f64>get(rate, row) * <f64>get(e.throttle, row) * dt;
     // A rocket made of fuel only would reach infinite speed, so a millionth of its mass remains and the engine stops.
-    const maxBurnt = mass * <real>0.999999;
-    const limited = max<real>(0, min<real>(requested, available));
-    const burnt = min<real>(limited, maxBurnt);
+    const maxBurnt = mass * 0.999999;
+    const limited = max<f64>(0, min<f64>(requested, available));
+    const burnt = min<f64>(limited, maxBurnt);
     const remaining = mass - burnt;
-    const gain = remaining > 0 ? <f64>get(e.exhaustSpeed, row) * logarithm(<f64>mass / <f64>remaining) : 0;
-    const magnitude = (<f64>remaining * gain) / dt;
-    put(fuel, row, limited > maxBurnt ? 0 : available - burnt);
-    if (mass > 0) put(c.mass, row, remaining);
+    const gain = remaining > 0 ? <f64>get(e.exhaustSpeed, row) * logarithm(mass / remaining) : 0;
+    const magnitude = (remaining * gain) / dt;
+    keep(fuel, e.fuelRemainder, row, limited > maxBurnt ? 0 : available - burnt);
+    if (mass > 0) keep(masses, e.massRemainder, row, remaining);
     put(tx, row, <real>(magnitude * <f64>get(e.x, row)));
     put(ty, row, <real>(magnitude * <f64>get(e.y, row)));
     put(tz, row, <real>(magnitude * <f64>get(e.z, row)));
   }
+}
+
+// A number with what it was rounded by; without, if it was written since.
+// @ts-ignore: decorator
+@inline function exact(column: usize, remainders: usize, row: i32): f64 {
+  const value = get(column, row);
+  const sum = <f64>value + <f64>get(remainders, row);
+  return <real>sum == value ? sum : <f64>value;
+}
+
+// @ts-ignore: decorator
+@inline function keep(column: usize, remainders: usize, row: i32, value: f64): void {
+  const rounded = <real>value;
+  put(column, row, rounded);
+  put(remainders, row, <real>(value - <f64>rounded));
 }

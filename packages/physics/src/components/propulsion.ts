@@ -48,6 +48,9 @@ export const Engine = defineComponent({
     thrustX: real('N'),
     thrustY: real('N'),
     thrustZ: real('N'),
+    /** What the engine rounded fuel and Mass by in the last step, kg. */
+    fuelRemainder: real('kg'),
+    massRemainder: real('kg'),
   },
   complete(values, entity) {
     normaliseFields(

@@ -30,6 +30,25 @@ describe('rocket engines', () => {
     }
   });
 
+  test('burn in single precision what is less than the last digit of the mass', () => {
+    // A step burns 5e-7 kg; neighbours of 500 are 3e-5 apart, and those of 50 are 4e-6.
+    const ion = { exhaustSpeed: 30_000, burnRate: 3e-5, fuel: 50 };
+    const { world, eid, going } = single([rocketEngines()], { mass: 500, engine: ion }, { precision: 'f32' });
+    const { Mass, Engine } = world.components;
+    run(world, 600, 1 / 60);
+    const burnt = 3e-5 * 600;
+    expect(Math.abs(Engine.fuel[eid] - (50 - burnt))).toBeLessThan(2 ** -19);
+    expect(Math.abs(Mass.value[eid] - (500 - burnt))).toBeLessThan(2 ** -16);
+    // A step gives 3e-5 m/s, and is rounded by at most half the last digit of 1 m/s.
+    const speed = 30_000 * Math.log(500 / (500 - burnt));
+    expect(Math.abs(going().y - speed)).toBeLessThan(36_000 * 2 ** -24);
+    // What a user writes counts, and not what was left of the number before.
+    Mass.value[eid] = 2 ** -10;
+    Engine.fuel[eid] = 0;
+    step(world, 1 / 60);
+    expect([Mass.value[eid], Engine.fuel[eid], Engine.thrustY[eid]]).toEqual([2 ** -10, 0, 0]);
+  });
+
   test('conserve the momentum of rocket and exhaust: m dv = -v_e dm in every step', () => {
     const { world, eid, going } = single([rocketEngines()], { mass: 10, engine });
     const { Mass } = world.components;

@@ -63,8 +63,9 @@ function burn(world: PhysicsWorld, dt: number): void {
 
 const engineColumns = namedResource('engine columns', (world) => {
   const { at, words } = allocateRecord(world.internal.arena, ENGINE_COLUMNS_BYTES, 'rocket engines');
-  const { fuel, burnRate, throttle, exhaustSpeed, x, y, z, thrustX, thrustY, thrustZ } = world.addresses.Engine;
-  words.set([fuel, burnRate, throttle, exhaustSpeed], Word.fuel);
+  const { fuel, fuelRemainder, massRemainder, burnRate, throttle, exhaustSpeed } = world.addresses.Engine;
+  const { x, y, z, thrustX, thrustY, thrustZ } = world.addresses.Engine;
+  words.set([fuel, fuelRemainder, massRemainder, burnRate, throttle, exhaustSpeed], Word.fuel);
   words.set([x, y, z, thrustX, thrustY, thrustZ], Word.x);
   return at;
 });
