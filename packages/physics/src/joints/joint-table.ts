@@ -43,8 +43,8 @@ const HINGE_BYTES = LOOP_BLOCK / 2;
  */
 const MATRIX_ELEMENTS = 4;
 
-/** What impulses do to trees: by joint, room for nine of eleven bones of a ragdoll in f32. */
-const RESPONSE_BYTES = 384;
+/** What impulses do to trees: by joint, room for nine of eleven bones of a ragdoll in f64, and 20 of 48 links of a track in f32. */
+const RESPONSE_BYTES = 768;
 
 /** Memory of joints per entity, bytes: any entity may be a joint. */
 export const JOINT_BYTES_PER_ENTITY =

@@ -3,17 +3,19 @@
 //   P(v + d) = P(v) + D d
 //
 // The columns of D of a body are measured when something strikes it first. A heap of ragdolls that lands takes thirty impulses a contact: to
-// add D d for each takes a fifth of the time of a projection of both trees. A mechanism, and what there is no room for, is projected.
+// add D d for each takes a fifth of the time of a projection of both trees. A mechanism of several trees, and what there is no room for,
+// is projected.
 import { BodyState, putWord, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { ArticulatedBody, articulated, pushBody } from './articulated-body';
 import { jointed } from './brace-joints';
+import { listDirections, respondClosed } from './close-loops';
 import { finite } from './joint-rows';
 import { JointTable } from './joint-table';
 import { treeBody } from './joint-trees';
 import { placeAt } from './joint-work';
 import { bodyOfTree, jointsOfTree } from './list-by-tree';
-import { mechanismOf } from './mechanisms';
+import { mechanismAt, mechanismOf } from './mechanisms';
 import { projectTree } from './project-trees';
 import { respond } from './sweep-tree';
 
@@ -60,19 +62,34 @@ function makeRoom(t: JointTable, tree: i32): i32 {
   const joints = jointsOfTree(t, tree);
   const used = word(t.responsesIn, tree);
   const numbers = NUMBERS * (joints + 1);
-  if (used + numbers > t.responseRoom * joints || (t.mechanismCount > 0 && mechanismOf(t, tree) >= 0)) return 0;
+  if (used + numbers > t.responseRoom * joints) return 0;
+  const mechanism = mechanismAbove(t, tree);
+  if (mechanism >= 0 && mechanismAt(t, mechanism).trees > 1) return 0;
   putWord(t.responsesIn, tree, used + numbers);
   t.responseCount += numbers;
   return (t.responseRoom * word(t.treeStarts, tree) + used + 1) << 1;
+}
+
+// The number of the mechanism that a tree belongs to, or -1.
+// @ts-ignore: decorator
+@inline function mechanismAbove(t: JointTable, tree: i32): i32 {
+  return t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
 }
 
 // The projection at the end leaves the velocities of the tree where trees keep them.
 function measure(t: JointTable, rigid: RigidTable, tree: i32, row: i32, to: usize): void {
   const at = treeBody(t, row);
   const body = changetype<ArticulatedBody>(at);
+  const number = mechanismAbove(t, tree);
+  if (number >= 0) listDirections(t, rigid, mechanismAt(t, number));
   for (let axis = 0; axis < 3; axis++) {
-    pushBody(at, axis == 0 ? body.mass : 0, axis == 1 ? body.mass : 0, axis == 2 ? body.inertia : 0);
-    respond(t, tree);
+    const x = axis == 0 ? body.mass : 0;
+    const y = axis == 1 ? body.mass : 0;
+    const turn = axis == 2 ? body.inertia : 0;
+    if (number < 0) {
+      pushBody(at, x, y, turn);
+      respond(t, tree);
+    } else respondClosed(t, mechanismAt(t, number), at, x, y, turn);
     const first = word(t.treeStarts, tree);
     keep(articulated(t, tree), jointed(t, word(t.roots, tree)).inverseInertia > 0, to, axis);
     for (let i = 0; i < jointsOfTree(t, tree); i++) {
