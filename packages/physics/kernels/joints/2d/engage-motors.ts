@@ -12,6 +12,7 @@ import { relaxSpring } from './engage-springs';
 import { addLock, applyAlong, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
 import { APART, JointWork, MOST_LOCKS, MOTOR_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
 import { endPush } from './push-axes';
+import { couplingOnRails } from './row-locks';
 
 // What the motor of a joint does in this sub-step besides nothing, APART: it holds its speed; it pushes with all its force.
 const HOLDS: i32 = 1;
@@ -155,10 +156,24 @@ function lockMotor(t: JointTable, work: JointWork, speed: f64): void {
 }
 
 // The speed to solve for in a soft pass so that the joint then has that of its motor. A locked direction gives way under a load until
-// its error pushes back; a motor has no error, and would go on to give way.
+// its error pushes back; a motor has no error, and would go on to give way. So it is to be as much faster as what the joint exerted in
+// the last sub-step makes it give way (soft-impulse.ts): under a load that stays, that is all. To make its direction more rigid instead
+// would leave what is held from several sides, such as a bridge by the friction of its hinges, without a solution.
 // @ts-ignore: decorator
 @inline function softSpeed(t: JointTable, rigid: RigidTable, work: JointWork): f64 {
-  return speedFor(t, work) - ((1 - softness.massScale) * excessOf(t, rigid, work)) / softness.massScale;
+  const scale = softness.massScale;
+  return speedFor(t, work) + (giveOf(t, work) - (1 - scale) * excessOf(t, rigid, work)) / scale;
+}
+
+// How fast the direction of a motor gives way under what its joint exerted in the last sub-step.
+function giveOf(t: JointTable, work: JointWork): f64 {
+  const impulses = impulsesOf(t, work.id);
+  const row = rowOf(work, MOTOR_ROW);
+  let give = couplingOnRails(work, row, row) * impulses.motor;
+  for (let lock = 0; lock < work.ownLocks; lock++) {
+    give += couplingOnRails(work, row, rowOf(work, lock)) * load<f64>(lockAddress(impulses, lock));
+  }
+  return softness.compliance * give;
 }
 
 // Before what joints pulled is taken back: motors that would have to exert more than they can push with all they have, and those

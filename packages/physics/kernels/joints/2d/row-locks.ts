@@ -22,22 +22,6 @@ import { COMPLIANCE } from './soft-impulse';
   return work.parent == 1 ? row.armB : row.armA;
 }
 
-// What is softer than rigid gives way under a load until its error pushes back. A motor has no error, and would go on to give way: a
-// joint with one is as much nearer to rigid.
-const MOTOR_PART: f64 = 1e-4;
-
-// The same of a winch on what does not move. It leaves its body free across the rope, and there its stiffness, κ times the mass of the
-// body, costs digits twice: in the inverse of the matrix, and where a speed becomes an impulse. What it seems to exert in a sub-step is
-// off by about 1e-16 κ² m v, at the speed v. At κ = 1e8 that is a hundred times what it exerts; here it is a thousandth, and a hook from
-// which 300 times its mass swings sinks by 1 mm in 20 s.
-const WINCH_PART: f64 = 0.03;
-
-// @ts-ignore: decorator
-@inline function motorPart(at: JointPlace, work: JointWork): f64 {
-  if (work.motorLock < 0) return 1;
-  return work.kind == DISTANCE && at.below == 0 ? WINCH_PART : MOTOR_PART;
-}
-
 // What a unit impulse along one row changes along another, as if locked axes gave way a little.
 // @ts-ignore: decorator
 @inline export function couplingOnRails(work: JointWork, p: JointRow, q: JointRow): f64 {
@@ -47,7 +31,7 @@ const WINCH_PART: f64 = 0.03;
 // The rows of a joint with fewer locked directions are zero, so three are solved of every joint: without loops, that is
 // faster than two or one.
 export function factorJoint(t: JointTable, at: JointPlace, work: JointWork): void {
-  const compliance = (at.below == 0 ? COMPLIANCE : softness.compliance) * motorPart(at, work);
+  const compliance = at.below == 0 ? COMPLIANCE : softness.compliance;
   const share = work.parent == LOOP ? 1 : compliance;
   const r0 = rowOf(work, 0);
   const r1 = rowOf(work, 1);
