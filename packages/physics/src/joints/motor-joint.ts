@@ -40,7 +40,10 @@ export interface MouseJointOptions extends EveryJointOptions {
   readonly anchor?: VectorInput;
   /** Where it is pulled to, m, in world coordinates. The columns `Joint.ax` and `Joint.ay` move it. */
   readonly target: VectorInput;
-  /** How b approaches; default 5 Hz with a damping ratio of 0.7. */
+  /**
+   * How b approaches; default 5 Hz with a damping ratio of 0.7. The stiffness is that for the mass m of b alone: under a force F, also the weight
+   * of what hangs on b, its point stays F/(m (2π hertz)²) from the target.
+   */
   readonly spring?: JointSpring;
   /** Largest force, N. */
   readonly maxForce: number;
