@@ -16,7 +16,7 @@ export interface Actions {
   slow(): void;
   /** Rewinds time while `on` is true. */
   rewind(on: boolean): void;
-  /** Restores the snapshot before the present one. */
+  /** Goes back by one step, or to the last recorded moment if the player acted since. */
   stepBack(): void;
   fit(): void;
   zoom(factor: number): void;

@@ -52,9 +52,28 @@ it('notes fewer moments where they cost much', () => {
     now += 20;
     return now;
   });
+  // The first one runs cold and does not count: the second comes after a twentieth of a second.
   run(100);
   history.restoreTo(0.99);
-  expect(world.tick).toBe(50);
+  expect(world.tick).toBe(55);
+});
+
+it('leaves no gap after a moment that was interrupted', () => {
+  let now = 0;
+  let cost = 20;
+  const { world, history, run } = falling(() => {
+    now += cost;
+    return now;
+  });
+  cost = 0.1;
+  run(20);
+  cost = 500;
+  run(10);
+  cost = 0.1;
+  run(70);
+  const ticks = Array.from({ length: history.count }, (_, i) => Math.round(history.timeAt(i) / 0.01));
+  expect(ticks).toEqual(Array.from({ length: 21 }, (_, i) => 5 * i));
+  expect(world.tick).toBe(100);
 });
 
 it('goes to and fro among the moments, each with the bits that it had', () => {
@@ -113,4 +132,49 @@ it('records as many moments in any span', () => {
     if (i % 700 === 0) history.seek(world.time - 3);
   }
   expect([history.count, history.timeAt(0)]).toEqual([400, expect.closeTo(world.time - 200, -1)]);
+});
+
+it('goes back step by step, to the bits that the world had, and on again', () => {
+  const { world, history } = falling();
+  const hashes = [stateHash(world)];
+  for (let i = 0; i < 64; i++) {
+    step(world, 0.01);
+    history.record();
+    hashes.push(stateHash(world));
+  }
+  for (let tick = 63; tick >= 50; tick--) {
+    expect(history.stepBack()).toBe(true);
+    expect([world.tick, stateHash(world)]).toEqual([tick, hashes[tick]]);
+  }
+  step(world, 0.01);
+  history.record();
+  expect(stateHash(world)).toBe(hashes[51]);
+  history.seek(-1);
+  expect(history.stepBack()).toBe(false);
+});
+
+it('goes back to the last moment where the steps since then cannot be repeated', () => {
+  const { world, stone, history, run } = falling();
+  run(62);
+  world.components.Velocity.y[stone] = 3;
+  run(2);
+  history.stepBack();
+  expect(world.tick).toBe(60);
+  history.stepBack();
+  expect(world.tick).toBe(59);
+});
+
+it('goes back to the last moment before a step that throws', () => {
+  const world = createPhysicsWorld({ capacity: 9 });
+  world.phases.input.push(() => {
+    if (world.tick === 63) throw new Error('No further.');
+  });
+  const history = new History({ world, dt: 0.01 }, () => 0);
+  const run = () => {
+    step(world, 0.01);
+    history.record();
+    run();
+  };
+  expect(run).toThrow('No further.');
+  expect([history.stepBack(), world.tick]).toEqual([true, 60]);
 });

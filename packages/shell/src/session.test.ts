@@ -145,7 +145,7 @@ it('goes back in time: world, values and what the game keeps beside them, and on
   expect(world.components.Velocity.y[1]).toBeCloseTo(4 - 10 * 0.51, 12);
   expect(session.stepBack()).toBe(true);
   expect(session.stepBack()).toBe(true);
-  expect(world.tick).toBe(45);
+  expect(world.tick).toBe(49);
   session.rewind(100);
   expect([world.tick, session.historySeconds, session.rewind(1)]).toEqual([0, 0, false]);
   session.reset();
@@ -176,5 +176,14 @@ it('gives a body that was held then its mass back', () => {
   session.step(20);
   session.rewind(0.3);
   expect(world().tick).toBe(10);
+  expect([world().components.Mass.value[2], session.dragging.dragged]).toEqual([1, []]);
+});
+
+it('goes back by single steps also while bodies that were held then are let go', () => {
+  const { session, world } = started(() => 0);
+  session.dragging.grab(1, 2, 1, 0);
+  session.step(64);
+  const ticks = [63, 62, 61, 60, 59, 58].map(() => session.stepBack() && world().tick);
+  expect(ticks).toEqual([63, 62, 61, 60, 59, 58]);
   expect([world().components.Mass.value[2], session.dragging.dragged]).toEqual([1, []]);
 });

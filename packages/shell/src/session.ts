@@ -192,10 +192,13 @@ export class Session<S extends Settings, Sim extends Simulation> {
     return changed;
   }
 
-  /** Restores the snapshot before the present one. @returns whether there was one */
+  /**
+   * Goes back by one step, or, where a player acted since the last recorded moment, to that moment: what a player does is
+   * not recorded, and the steps cannot be repeated then. @returns whether the world changed
+   */
   stepBack(): boolean {
     this.#rewindTime = undefined;
-    return this.rewind(this.sim.dt);
+    return this.#restored((this.#history as History).stepBack());
   }
 
   /**
