@@ -51,3 +51,31 @@ test.each([
   if (width > height) expect(bare.floor).toBeCloseTo(height - MARGIN, 0);
   expect(bare.floor).toBeGreaterThan(floor);
 });
+
+test.each([
+  [360, 640],
+  [390, 844],
+  [640, 360],
+])(
+  'the last button of the open panel can be tapped on a phone, and does not move the time: %d × %d',
+  async (width, height) => {
+    const context = await browser().newContext({ viewport: { width, height }, hasTouch: true });
+    const page = await context.newPage();
+    await page.goto(served.url);
+    await page.waitForFunction(() => globalThis.__game?.state().ready);
+    await page.evaluate(() => {
+      __game.pause();
+      __game.step(100);
+    });
+    await page.locator('.game-bar button[title^="Settings"]').tap();
+    const button = page.locator('.game-side button', { hasText: 'Colour-blind palette' });
+    await button.scrollIntoViewIfNeeded({ timeout: 5000 });
+    await page.locator('.game-side').evaluate((panel) => panel.scrollTo(0, panel.scrollHeight));
+    const middle = await button.boundingBox().then((box) => box && [box.x + box.width / 2, box.y + box.height / 2]);
+    const before = await page.evaluate(() => __game.state());
+    await page.touchscreen.tap(...(middle as [number, number]));
+    const after = await page.evaluate(() => __game.state());
+    expect([after.safeColors, after.tick]).toEqual([!before.safeColors, before.tick]);
+    await context.close();
+  },
+);
