@@ -3,12 +3,14 @@ import type { Camera2D } from './camera-2d.ts';
 import { listenToPointers, type PointerOptions } from './pointer.ts';
 
 /** An event target with the few members of a canvas that the listener uses: 200 by 100 pixels at (10, 20). */
-function fakeCanvas() {
+function fakeCanvas(shownScale = 1) {
   const captured: number[] = [];
   const canvas = Object.assign(new EventTarget(), {
     style: { touchAction: 'auto' },
+    clientWidth: 200,
+    clientHeight: 100,
     setPointerCapture: (id: number) => captured.push(id),
-    getBoundingClientRect: () => ({ left: 10, top: 20, width: 200, height: 100 }),
+    getBoundingClientRect: () => ({ left: 10, top: 20, width: 200 * shownScale, height: 100 * shownScale }),
   });
   const fire = (type: string, x: number, y: number, more: object = {}) => {
     const event = new Event(type, { cancelable: true });
@@ -20,10 +22,10 @@ function fakeCanvas() {
   return { canvas: canvas as unknown as HTMLCanvasElement, captured, fire };
 }
 
-function setUp(options: Partial<PointerOptions> = {}) {
+function setUp(options: Partial<PointerOptions> = {}, shownScale = 1) {
   const camera: Camera2D = { x: 0, y: 0, pixelsPerMetre: 10 };
   const log: unknown[][] = [];
-  const fake = fakeCanvas();
+  const fake = fakeCanvas(shownScale);
   const control = listenToPointers(fake.canvas, {
     camera,
     pick: (x, y) => (Math.hypot(x, y) < 1 ? 7 : 0),
@@ -53,6 +55,32 @@ describe('listenToPointers', () => {
     expect(vx).toBeCloseTo(50, 6);
     expect(vy).toBeCloseTo(50, 6);
     expect(camera).toEqual({ x: 0, y: 0, pixelsPerMetre: 10 });
+  });
+
+  it.each([0.5, 1.5])('finds the points of a canvas that a transform scales by %d', (shownScale) => {
+    const { fire, log, camera } = setUp({}, shownScale);
+    fire('pointerdown', 100 * shownScale, 50 * shownScale);
+    fire('pointermove', 120 * shownScale, 40 * shownScale);
+    expect(log).toEqual([
+      ['grab', 7, 0, 0, 1],
+      ['drag', 7, 2, 1, 1],
+    ]);
+    fire('wheel', 20 * shownScale, 50 * shownScale, { deltaMode: 0, deltaY: 100 });
+    // The wheel leaves the point below it in its place, which is 8 m to the left of the middle.
+    expect(camera.x - 80 / camera.pixelsPerMetre).toBeCloseTo(-8, 9);
+  });
+
+  it('finds the points of a picture that style sheets show in another size', () => {
+    const viewport = { width: 800, height: 600 };
+    const { fire, log } = setUp({ viewport, pick: (x, y) => (Math.hypot(x - 20, y - 12) < 1e-9 ? 7 : 0) });
+    // 800 by 600 pixels on 200 by 100: the point is 200 pixels right of the middle and 120 above it.
+    fire('pointerdown', 150, 30);
+    viewport.width = 400;
+    fire('pointermove', 150, 30);
+    expect(log).toEqual([
+      ['grab', 7, 20, 12, 1],
+      ['drag', 7, 10, 12, 1],
+    ]);
   });
 
   it('pans with the right and the middle button, and while the space bar is held', () => {

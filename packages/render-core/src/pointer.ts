@@ -1,10 +1,24 @@
-import { type Camera2D, panBy, toWorld, type Vector2, type ZoomLimits, zoomAt } from './camera-2d.ts';
+import {
+  type Camera2D,
+  panBy,
+  toWorld,
+  type Vector2,
+  type ViewportSize,
+  type ZoomLimits,
+  zoomAt,
+} from './camera-2d.ts';
+import { placeInPicture } from './pointer-place.ts';
 import { ReleaseVelocity } from './release-velocity.ts';
 
 /** Handlers of pointer input on a canvas. Coordinates are world metres, velocities metres per second. */
 export interface PointerOptions {
   /** The camera of the picture, which panning and zooming change. */
   camera: Camera2D;
+  /**
+   * Size of the picture as `applyCamera` gets it, such as `app.screen`; read at each event. Give it where style sheets show the
+   * picture in another size than it is drawn for. Default the size of the canvas on the page, before any `transform`.
+   */
+  viewport?: ViewportSize;
   /** Returns the body under a world point, or 0 for none. If omitted, nothing can be grabbed. */
   pick?(x: number, y: number): number;
   /** A pointer went down on body `id`. */
@@ -192,13 +206,12 @@ class PointerListener {
     zoomAt(this.options.camera, this.#size, x, y, factor, this.options.zoomLimits);
   }
 
-  /** Writes the event's position into `#screen` (CSS pixels in the canvas) and returns it in world metres. */
+  /** Writes the event's position into `#screen` (pixels of the picture) and returns it in world metres. */
   #locate(event: MouseEvent): Vector2 {
-    const box = this.canvas.getBoundingClientRect();
-    this.#screen.x = event.clientX - box.left;
-    this.#screen.y = event.clientY - box.top;
-    this.#size.width = box.width;
-    this.#size.height = box.height;
-    return toWorld(this.options.camera, this.#size, this.#screen.x, this.#screen.y, this.#world);
+    const { camera, viewport } = this.options;
+    this.#size.width = viewport?.width ?? this.canvas.clientWidth;
+    this.#size.height = viewport?.height ?? this.canvas.clientHeight;
+    placeInPicture(this.canvas, event.clientX, event.clientY, this.#size, this.#screen);
+    return toWorld(camera, this.#size, this.#screen.x, this.#screen.y, this.#world);
   }
 }

@@ -1,4 +1,11 @@
-import { type BodySource, checkOptions, type OptionNames, ReleaseVelocity, sourceOf } from '@principia/render-core';
+import {
+  type BodySource,
+  checkOptions,
+  type OptionNames,
+  placeInPicture,
+  ReleaseVelocity,
+  sourceOf,
+} from '@principia/render-core';
 import { type Camera, Plane, Raycaster, Vector2, Vector3 } from 'three';
 import { pickBody } from './body-picker.ts';
 
@@ -44,6 +51,9 @@ interface Grip {
   readonly velocityXY: ReleaseVelocity;
   readonly velocityZ: ReleaseVelocity;
 }
+
+/** Places are parts of the width and the height. */
+const WHOLE = { width: 1, height: 1 };
 
 const OPTION_NAMES: OptionNames<BodyDraggingOptions> = {
   source: true,
@@ -172,11 +182,9 @@ class Dragging {
   }
 
   #aim(clientX: number, clientY: number): void {
-    const box = this.#element.getBoundingClientRect();
-    const x = ((clientX - box.left) / box.width) * 2 - 1;
-    const y = 1 - ((clientY - box.top) / box.height) * 2;
+    const { x, y } = placeInPicture(this.#element, clientX, clientY, WHOLE, this.#place);
     this.#options.camera.updateMatrixWorld();
-    this.#raycaster.setFromCamera(this.#place.set(x, y), this.#options.camera);
+    this.#raycaster.setFromCamera(this.#place.set(x * 2 - 1, 1 - y * 2), this.#options.camera);
   }
 
   #note({ point, velocityXY, velocityZ }: Grip, event: PointerEvent): void {
