@@ -627,6 +627,33 @@ export const lab = {
     return { seen, moved };
   },
 
+  /** The light of lines and rims under a camera, as they are and by the recipe of docs/drawing.md for a cached texture. */
+  async cached(backend: Backend) {
+    const stage = await Stage.open(backend);
+    stage.camera.pixelsPerMetre = 20;
+    const source = createTestBodySource(1024);
+    source.show([1]);
+    place(source, 1, 2, 2, 1);
+    const bodies = createBodyLayer({ source, rimWidth: 3 });
+    bodies.update(1);
+    const segments = createSegmentLayer({ thickness: 3 });
+    segments.set([-3, -2, 3, -2]);
+    stage.world.addChild(bodies.container, segments.container);
+    const plain = light(stage.shoot()).area;
+    const still = new Container({ children: [stage.world] });
+    stage.app.stage.addChild(still);
+    still.cacheAsTexture(true);
+    const cached = light(stage.shoot()).area;
+    stage.camera.x = 2;
+    stage.shoot();
+    still.updateCacheTexture();
+    const moved = light(stage.shoot()).x;
+    still.cacheAsTexture(false);
+    const plainMoved = light(stage.shoot()).x;
+    stage.close();
+    return { plain, cached, moved, plainMoved };
+  },
+
   /** Leaves a picture with every kind of layer on the page, for a look and for comparing back ends. */
   async showAll(backend: Backend) {
     const stage = await Stage.open(backend);

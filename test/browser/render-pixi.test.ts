@@ -204,6 +204,12 @@ describe.each<Backend>(['webgl', 'webgpu'])('the box of a layer with %s', HANGS,
     }
     expect(moved).toBeCloseTo(25, 3);
   });
+
+  it('keeps the widths of lines and rims in a texture of a container around the one under the camera', async () => {
+    const { plain, cached, moved, plainMoved } = await page.evaluate((b) => pixiLab.cached(b), backend);
+    expect(Math.abs(cached / plain - 1)).toBeLessThan(0.01);
+    expect(moved).toBeCloseTo(plainMoved, 0);
+  });
 });
 
 describe('bodies', () => {
