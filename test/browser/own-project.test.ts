@@ -4,10 +4,11 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { beforeAll, expect, test } from 'vitest';
 import { buildPackages } from '../../scripts/build-packages.mjs';
-import { htmlOf } from '../support/import-map.ts';
+import { drawingMapOf, htmlOf, importMapOf } from '../support/import-map.ts';
 import { shareBrowser } from '../support/shared-browser.ts';
 
-const html = htmlOf(readFileSync('docs/in-your-own-project.md', 'utf8'));
+const guide = readFileSync('docs/in-your-own-project.md', 'utf8');
+const html = htmlOf(guide);
 const ORIGIN = 'http://own-project.test/';
 const browser = shareBrowser();
 
@@ -21,7 +22,7 @@ function fileOf(address: string): string {
   return `node_modules/${name}/${path}`;
 }
 
-async function openUnder(scriptSources: string): Promise<{ page: Page; errors: string[] }> {
+async function openUnder(scriptSources: string, body = html): Promise<{ page: Page; errors: string[] }> {
   const page = await browser().newPage();
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.message));
@@ -34,7 +35,7 @@ async function openUnder(scriptSources: string): Promise<{ page: Page; errors: s
   );
   await page.route(ORIGIN, (route) =>
     route.fulfill({
-      body: `<!doctype html><title>…</title>${html.replaceAll('<script ', '<script nonce="page" ')}`,
+      body: `<!doctype html><title>…</title>${body.replaceAll('<script ', '<script nonce="page" ')}`,
       contentType: 'text/html; charset=utf-8',
       headers: { 'content-security-policy': `script-src 'nonce-page' https://cdn.jsdelivr.net ${scriptSources}` },
     }),
@@ -57,3 +58,22 @@ test('without wasm-unsafe-eval the error names what is missing', async () => {
   expect(errors.join()).toMatch(/'wasm-unsafe-eval'/);
   await page.close();
 });
+
+test.each(['render-pixi', 'render-three'])(
+  'the program of the front page of %s runs with the maps',
+  async (renderer) => {
+    const imports = { ...importMapOf(guide), ...drawingMapOf(guide, renderer) };
+    const [, program] = /```ts\n([\s\S]*?)```/.exec(readFileSync(`packages/${renderer}/README.md`, 'utf8')) ?? [];
+    const code = program?.replace('createPhysicsWorld({', "createPhysicsWorld({ precision: 'f32',");
+    const { page, errors } = await openUnder(
+      // pixi.js compiles functions from text.
+      "'wasm-unsafe-eval' 'unsafe-eval'",
+      `<body><script type="importmap">${JSON.stringify({ imports })}</script>
+    <script type="module">${code}; document.title = 'It runs.';</script>`,
+    );
+    await expect.poll(() => page.title(), { timeout: 20_000 }).toBe('It runs.');
+    await page.waitForTimeout(500);
+    expect(errors).toEqual([]);
+    await page.close();
+  },
+);

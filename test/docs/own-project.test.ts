@@ -2,7 +2,7 @@
 // conditions is that of the package.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { importMapOf } from '../support/import-map.ts';
+import { drawingMapOf, importMapOf } from '../support/import-map.ts';
 
 const page = readFileSync('docs/in-your-own-project.md', 'utf8');
 const manifest = JSON.parse(readFileSync('packages/physics/package.json', 'utf8'));
@@ -28,6 +28,39 @@ test('the import map has the dependencies of the physics, in its versions', () =
   expect(Object.keys(manifest.dependencies)).toEqual(['bitecs']);
   expect(map.bitecs).toBe(`https://cdn.jsdelivr.net/npm/bitecs@${version}/dist/core/index.min.mjs`);
   expect(existsSync('node_modules/bitecs/dist/core/index.min.mjs')).toBe(true);
+});
+
+/** The names that the modules of a package import, other than files of its own and what only types are of. */
+function namesImportedBy(name: string): string[] {
+  const folder = `packages/${name}/src`;
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((file) =>
+    /(?<!\.test)\.ts$/.test(file),
+  );
+  const names = files.flatMap((file) => {
+    const statements = readFileSync(`${folder}/${file}`, 'utf8').matchAll(
+      /^(?:import|export)\s(?!type\b)(?:[^;'"]*?\sfrom\s)?\s*'([^'.][^']*)'/gm,
+    );
+    return [...statements].map(([, from]) => from as string);
+  });
+  return [...new Set(names)];
+}
+
+test.each(['render-pixi', 'render-three'])('the maps have every name that the modules of %s import', (renderer) => {
+  const all = { ...map, ...drawingMapOf(page, renderer) };
+  const imported = ['physics', 'render-core', renderer].flatMap(namesImportedBy);
+  expect(imported).toContain(
+    renderer === 'render-pixi' ? 'pixi.js/mesh' : 'three/examples/jsm/controls/OrbitControls.js',
+  );
+  const isMapped = (name: string) =>
+    name in all || Object.keys(all).some((key) => key.endsWith('/') && name.startsWith(key));
+  expect(imported.filter((name) => !isMapped(name))).toEqual([]);
+  for (const address of Object.values(drawingMapOf(page, renderer))) {
+    const [, library, version] = /\/npm\/(@?[^@]+)@([^/]+)\//.exec(address) ?? [];
+    const folder = library?.startsWith('@principia/')
+      ? library.replace('@principia', 'packages')
+      : `node_modules/${library}`;
+    expect(version).toBe(JSON.parse(readFileSync(`${folder}/package.json`, 'utf8')).version);
+  }
 });
 
 test('the conditions and peers that the page names exist', () => {

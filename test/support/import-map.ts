@@ -13,3 +13,11 @@ export function importMapOf(page: string): Readonly<Record<string, string>> {
   if (json === undefined) throw new Error('The page shows no import map.');
   return JSON.parse(json).imports;
 }
+
+/** What the page adds to the map to draw with `renderer`: `render-pixi` or `render-three`. */
+export function drawingMapOf(page: string, renderer: string): Readonly<Record<string, string>> {
+  const blocks = [...page.matchAll(/```json\n([\s\S]*?)```/g)].map(([, json]) => json as string);
+  const json = blocks.find((each) => each.includes(`"@principia/${renderer}"`));
+  if (json === undefined) throw new Error(`The page shows no map for ${renderer}.`);
+  return JSON.parse(json);
+}
