@@ -1,5 +1,5 @@
 import { boxWalls, createPhysicsWorld, createRunner, quadraticDrag, spawn, uniformGravity } from '@principia/physics';
-import { toWorld, worldSource } from '@principia/render-core';
+import { placeInPicture, toWorld, worldSource } from '@principia/render-core';
 import { applyCamera, createBodyLayer, createSegmentLayer } from '@principia/render-pixi';
 import { Application } from 'pixi.js';
 
@@ -34,7 +34,7 @@ function beep(frequency: number) {
 
 // Every tap that hits the ball kicks it up and counts, until the ball touches the floor.
 const output = document.querySelector('output') as HTMLOutputElement;
-const { touch, keys, top } = output.dataset; // the words of index.html, in the reader's language
+const { touch, keys, top } = output.dataset; // the words of the page, in the reader's language
 const hint = matchMedia('(pointer: coarse)').matches ? touch : keys;
 const camera = { x: 0, y: height / 2, pixelsPerMetre: 1 };
 let [score, best] = [0, 0];
@@ -53,7 +53,8 @@ function kick(sideways: number) {
   } catch {}
 }
 addEventListener('pointerdown', ({ clientX, clientY }) => {
-  const { x, y } = toWorld(camera, app.screen, clientX, clientY, { x: 0, y: 0 });
+  const pointer = placeInPicture(app.canvas, clientX, clientY, app.screen, { x: 0, y: 0 });
+  const { x, y } = toWorld(camera, app.screen, pointer.x, pointer.y, { x: 0, y: 0 });
   if (Math.hypot(x - Position.x[ball], y - Position.y[ball]) < 1.2) kick(5 * (Position.x[ball] - x));
 });
 addEventListener('keydown', ({ key, repeat }) => {

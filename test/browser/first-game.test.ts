@@ -1,4 +1,5 @@
 /** Plays the first game through its real page: hits count, until the ball touches the floor. */
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { playGame } from '../support/game-page.ts';
@@ -125,4 +126,26 @@ it('plays, and keeps the best as long as the page, where the browser keeps nothi
   expect(await text(page)).toBe('1');
   for (let tries = 0; tries < 100 && !(await text(page)).includes('best'); tries++) await watch(page, 3);
   expect(await text(page)).toContain('best: 1');
+});
+
+it('runs in the page that the README shows, and finds the ball where the canvas is not in the corner', async () => {
+  const [, html] = /## A complete game[\s\S]*?```html\n([\s\S]*?)```/.exec(readFileSync('README.md', 'utf8')) ?? [];
+  const page = await open('', { prepare: stopTime });
+  await page.route('**/*', (route) =>
+    route.request().isNavigationRequest()
+      ? route.fulfill({ body: html ?? '', contentType: 'text/html; charset=utf-8' })
+      : route.continue(),
+  );
+  await page.reload();
+  await start(page);
+  expect(await text(page)).toBe('Tap the ball, or press Space as it falls low – best: 0');
+  await page.addStyleTag({ content: 'canvas { position: absolute; left: 90px; top: 60px }' });
+  const ball = await watch(page, 1);
+  await page.mouse.click(ball.x, ball.y);
+  await watch(page, 1);
+  expect(await text(page)).toContain('best: 0');
+  const moved = await watch(page, 1);
+  await page.mouse.click(90 + moved.x, 60 + moved.y);
+  await watch(page, 1);
+  expect(await text(page)).toBe('1');
 });
