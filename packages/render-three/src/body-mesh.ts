@@ -18,7 +18,10 @@ import { TargetPixels } from './target-pixels.ts';
 
 /** Bodies as one object of a scene. */
 export interface BodyMesh {
-  /** Add it to the scene. `Raycaster` hits on it carry the body's id in `instanceId`. */
+  /**
+   * Add it to the scene. `Raycaster` hits on it carry the body's id in `instanceId`. They are those of `pickBody`: of the ball of
+   * a body's drawn radius, or the cube of a `box`, whatever its collider or `geometry` is. A ray through the hole of a torus hits.
+   */
   readonly object: Object3D;
   /**
    * Call once a frame before rendering. Sends to the GPU what the source says has changed.

@@ -15,6 +15,18 @@ it('leaves the numbers beside a plot the width of the widest', () => {
   expect(width('0 m', '1 m')).toBe(46);
 });
 
+it('leaves half of the last number its room at the right, however long the game runs', () => {
+  const source = { unit: 'm', series: ['x'], read: () => {} };
+  const { padding = [] } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const room = (max: number) => {
+    // Each character is seven pixels wide.
+    const ctx = { save() {}, restore() {}, font: '', measureText: (text: string) => ({ width: 7 * text.length }) };
+    return (padding[1] as (chart: uPlot) => number)({ ctx, scales: { x: { max } } } as unknown as uPlot);
+  };
+  // “100 s” is 35 pixels wide, “10000 s” 49.
+  expect([room(1), room(100.02), room(10000)]).toEqual([12, 18, 25]);
+});
+
 it('shows the range of the values that there are, and zero', () => {
   const source = { unit: 'm', series: ['x'], read: () => {} };
   const { scales = {} } = timeOptions(source, ['#fff'], 12, () => Number.NaN);

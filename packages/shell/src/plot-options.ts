@@ -13,16 +13,30 @@ const FONT = '11px system-ui, sans-serif';
 /** Least width of the numbers beside a plot, and what they keep from it, CSS pixels. */
 const LEAST_WIDTH = 46;
 const GAP = 8;
+/** Least room at the right. */
+const LEAST_END = 12;
 
-/** Room for the widest number, such as “−200 mm”. @param numbers null before the first ones are known */
-function widthOf({ ctx }: uPlot, numbers: readonly string[] | null): number {
+/** Width of the widest of some numbers, CSS pixels. */
+function measured({ ctx }: uPlot, numbers: readonly string[]): number {
   // uPlot remembers the font that it has set.
   ctx.save();
   ctx.font = FONT;
-  const widths = (numbers ?? []).map((number) => Math.ceil(ctx.measureText(number).width) + GAP);
+  const widths = numbers.map((number) => Math.ceil(ctx.measureText(number).width));
   ctx.restore();
-  return Math.max(LEAST_WIDTH, ...widths);
+  return Math.max(0, ...widths);
 }
+
+/** Room for the widest number, such as “−200 mm”. @param numbers null before the first ones are known */
+const widthOf = (chart: uPlot, numbers: readonly string[] | null): number =>
+  Math.max(LEAST_WIDTH, measured(chart, numbers ?? []) + GAP);
+
+/** Room at the right for half of a last number below the very end, such as “100 s”. */
+function halfOfLast(chart: uPlot): number {
+  const last = Math.floor(chart.scales.x?.max ?? 0);
+  return Math.max(LEAST_END, Math.ceil(measured(chart, [secondsText(last)]) / 2));
+}
+
+const secondsText = (second: number): string => (second < 0 ? '' : `${second} s`);
 
 function axes(xValues: (value: number) => string, { unit }: PlotSource): uPlot.Axis[] {
   const grid = { stroke: '#ffffff14', width: 1 };
@@ -37,8 +51,6 @@ function axes(xValues: (value: number) => string, { unit }: PlotSource): uPlot.A
 const SIZE = {
   width: 240,
   height: 118,
-  // Room for half of the last number.
-  padding: [6, 12, 0, 0] as [number, number, number, number],
   legend: { show: false },
   cursor: { show: false },
 };
@@ -52,12 +64,13 @@ export function timeOptions(
 ): uPlot.Options {
   return {
     ...SIZE,
+    padding: [6, halfOfLast, 0, 0],
     hooks: { draw: [(chart) => drawTimeMark(chart, mark())] },
     scales: {
       x: { time: false, range: (_, low, high) => [Math.min(low, high - seconds), Math.max(high, low + 1)] },
       y: { range: ({ data }) => rangeWithZero(data.slice(1) as Float64Array[]) },
     },
-    axes: axes((second) => (second < 0 ? '' : `${second} s`), source),
+    axes: axes(secondsText, source),
     series: [
       {},
       ...source.series.map((label, i) => ({
