@@ -3,7 +3,9 @@ import {
   box,
   capsule,
   createPhysicsWorld,
+  despawn,
   polygon,
+  rgba,
   rigidBodies,
   type Shape,
   segment,
@@ -625,6 +627,31 @@ export const lab = {
     const moved = bodies.container.getLocalBounds().maxX - before;
     stage.close();
     return { seen, moved };
+  },
+
+  /** The red and the green light of a green disc below a red one of the same place, and with a layer of its own above it. */
+  async chosen(backend: Backend) {
+    const stage = await Stage.open(backend);
+    const world = createPhysicsWorld();
+    const disc = (color: number) => spawn(world, { position: {}, appearance: { color, size: 10, shape: SHAPES.disc } });
+    const green = disc(rgba(0, 1, 0));
+    disc(rgba(1, 0, 0));
+    const all = createBodyLayer({ source: worldSource(world) });
+    const chosen = createBodyLayer({ source: worldSource(world, { bodies: [green] }) });
+    const shoot = () => {
+      all.update(1);
+      chosen.update(1);
+      const picture = stage.shoot();
+      return [0, 1].map((channel) => light(picture, channel).area);
+    };
+    stage.world.addChild(all.container);
+    const below = shoot();
+    stage.world.addChild(chosen.container);
+    const above = shoot();
+    despawn(world, green);
+    const gone = shoot();
+    stage.close();
+    return { below, above, gone };
   },
 
   /** The light of lines and rims under a camera, as they are and by the recipe of docs/drawing.md for a cached texture. */

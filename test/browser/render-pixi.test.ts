@@ -205,6 +205,20 @@ describe.each<Backend>(['webgl', 'webgpu'])('the box of a layer with %s', HANGS,
     expect(moved).toBeCloseTo(25, 3);
   });
 
+  it('may be that of some bodies only, which lie above others whatever their ids are', async () => {
+    const { below, above, gone } = await page.evaluate((b) => pixiLab.chosen(b), backend);
+    const area = Math.PI * 10 ** 2;
+    for (const [[red, green], isAbove] of [
+      [below, false],
+      [above, true],
+      [gone, false],
+    ] as const) {
+      // The soft edge lets the lower disc shine through.
+      expect(Math.abs((isAbove ? green : red) / area - 1)).toBeLessThan(0.03);
+      expect((isAbove ? red : green) / area).toBeLessThan(0.1);
+    }
+  });
+
   it('keeps the widths of lines and rims in a texture of a container around the one under the camera', async () => {
     const { plain, cached, moved, plainMoved } = await page.evaluate((b) => pixiLab.cached(b), backend);
     expect(Math.abs(cached / plain - 1)).toBeLessThan(0.01);

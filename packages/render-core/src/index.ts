@@ -13,6 +13,7 @@ export {
   type ZoomLimits,
   zoomAt,
 } from './camera-2d.ts';
+export type { BodyChoice } from './chosen-bodies.ts';
 export { ColumnUpload, TEXTURE_WIDTH, textureRows } from './column-upload.ts';
 export { LivingBodies } from './living-bodies.ts';
 export { listenToPointers, type PointerControl, type PointerOptions } from './pointer.ts';
@@ -22,4 +23,4 @@ export { ReleaseVelocity } from './release-velocity.ts';
 export { SHAPES, type ShapeKind, type ShapeName } from './shapes.ts';
 export { TrailHistory, type TrailOptions } from './trails.ts';
 export { sizeToFill, type Viewport, type ViewportOptions, watchViewport } from './viewport.ts';
-export { worldSource } from './world-source.ts';
+export { type WorldSourceOptions, worldSource } from './world-source.ts';

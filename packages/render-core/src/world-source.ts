@@ -1,19 +1,35 @@
 import { bodies, type PhysicsWorld } from '@principia/physics';
+import { checkOptions, type OptionNames } from './arguments.ts';
 import type { BodySource } from './body-source.ts';
+import { type BodyChoice, ChosenBodies } from './chosen-bodies.ts';
 import { OutlineTable } from './outline-table.ts';
 
 /** Restoring a snapshot resets the version counters; this offset keeps them unique for renderers. */
 const RESTORE_OFFSET = 2 ** 32;
 
+/** Options of `worldSource`. */
+export interface WorldSourceOptions {
+  /**
+   * The bodies of the source, for layers of their own: ids, or a function such as `() => query(world, [Hero])`, which is asked at each
+   * picture. Of a list that stays, those that are gone are left out, also when another body takes their id. Default all.
+   */
+  bodies?: BodyChoice;
+}
+
+const OPTION_NAMES: OptionNames<WorldSourceOptions> = { bodies: true };
+
 /**
- * The columns of a world for renderers. Nothing is copied: the source is a live view of the world.
+ * The columns of a world for renderers. Nothing is copied: the source is a live view of the world. Layers of one source share
+ * what they send to the graphics card, those of two sources do not.
  *
- * @throws Error when it is not given a world
+ * @throws Error when it is not given a world, an option does not exist, or an id of `bodies` is none
  */
-export function worldSource(world: PhysicsWorld): BodySource {
+export function worldSource(world: PhysicsWorld, options: WorldSourceOptions = {}): BodySource {
   if (world?.components === undefined) {
     throw new Error('worldSource needs a world made by createPhysicsWorld: worldSource(world)');
   }
+  checkOptions(options, OPTION_NAMES, 'worldSource');
+  const chosen = options.bodies === undefined ? undefined : new ChosenBodies(world, options.bodies);
   const { components, previous, versions } = world;
   const { Position, Rotation, Orientation, Collider, Appearance } = components;
   const outlines = new OutlineTable();
@@ -35,10 +51,10 @@ export function worldSource(world: PhysicsWorld): BodySource {
       return outlines.refresh(world);
     },
     get ids() {
-      return bodies(world).ids;
+      return chosen?.refresh().ids ?? bodies(world).ids;
     },
     get count() {
-      return bodies(world).count;
+      return chosen?.refresh().count ?? bodies(world).count;
     },
     get lastId() {
       return world.lastId;
@@ -52,7 +68,9 @@ export function worldSource(world: PhysicsWorld): BodySource {
         return versions.style + versions.restored * RESTORE_OFFSET;
       },
       get membership() {
-        return versions.membership + versions.restored * RESTORE_OFFSET;
+        // Both only grow, so that their sum changes with either.
+        const own = chosen?.refresh().version ?? 0;
+        return versions.membership + versions.restored * RESTORE_OFFSET + own;
       },
       get steps() {
         return world.tick;
