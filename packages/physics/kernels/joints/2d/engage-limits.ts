@@ -47,10 +47,11 @@ const FORESEEN: i32 = 16;
 const LEAVES: f64 = 0.05;
 
 // What bears goes on to do so this near to its limit, m or rad, as long as it needs to push: what rests on it does not tremble.
-const SLOP: f64 = 0.02;
-// It comes back to it by this part of the rate at which gaps close. Contacts that are solved in turn with joints move it away: where they
-// keep another limit of the tree passed, by up to twice as much as that is. Beyond the slop it would fall on its limit.
-const RETURN: f64 = 0.5;
+const SLOP: f64 = 0.05;
+// It comes back to it by this part of the rate at which gaps close, and so in a sub-step and a half. Contacts that are solved in turn
+// with joints move it away: where others press a limb against its limit, and where they keep another limit of the tree passed. Beyond
+// the slop it would be free for a sub-step, with all that presses on it, and fall on its limit: heaps of ragdolls would never rest.
+const RETURN: f64 = 2.5;
 // Limits closer to each other leave no room, m or rad.
 const NO_ROOM: f64 = 1e-9;
 
