@@ -6,6 +6,9 @@
 // The new velocities hold since then, so positions change by (change of velocity) * t. An isolated pair is therefore
 // exact under any constant acceleration; momentum is conserved to rounding, and so is energy where e = 1.
 //
+// Surfaces that meet exactly at the end of the step collide in it, a time 0 ago: left to resting-contacts.ts they would
+// lose their rebound.
+//
 // Impacts are solved in time slices of dt/64, earliest first, and within a slice in ascending (a, b). A collision can
 // cause others, so the contacts of bodies that collided are tested again, at most three more times; later collisions
 // are left to the next step. Impacts elsewhere in the scene do not affect the result.
@@ -75,7 +78,7 @@ function sliceOf(t: ContactTable, i: i32, dt: real, inverseDt: real, lag: real):
   put(t.nz, i, approach.nz);
   put(t.speed, i, speedBeforeStep(dt));
   const reach = a.radius + b.radius;
-  if (!(approach.distance < reach)) return -1;
+  if (!(approach.distance <= reach)) return -1;
   const timeSinceImpact = timeSinceRoundImpact(
     approach.x,
     approach.y,
@@ -90,7 +93,8 @@ function sliceOf(t: ContactTable, i: i32, dt: real, inverseDt: real, lag: real):
     dt,
   );
   if (timeSinceImpact >= 0) return max<i32>(0, SLICES - 1 - <i32>(timeSinceImpact * inverseDt * <real>SLICES));
-  return approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz < 0 ? 0 : -1;
+  if (!(approach.vx * approach.nx + approach.vy * approach.ny + approach.vz * approach.nz < 0)) return -1;
+  return approach.distance < reach ? 0 : SLICES - 1;
 }
 
 // Returns the speed of approach along the normal when the step began.
@@ -109,7 +113,7 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, pass:
   const b = body(t, word(t.slotB, i));
   const reach = a.radius + b.radius;
   readSeparation(a, b);
-  if (!(approach.distance < reach)) return 0;
+  if (!(approach.distance <= reach)) return 0;
   const rowA = word(t.a, i);
   const rowB = word(t.b, i);
   readRelativeMotion(a, b, rowA, rowB, t.layer == 0, lag);
@@ -140,8 +144,9 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, pass:
     z = roundImpact.nz;
     speed = roundImpact.speed;
   } else {
-    // The bodies touched before the step began and overlapped for all of it.
-    timeSinceImpact = dt;
+    // The bodies touched before the step began and overlapped for all of it, or they touch just now, and the root of the
+    // quadratic is below zero by rounding.
+    timeSinceImpact = approach.distance < reach ? dt : <real>0;
   }
   if (!(speed > 0)) return 0;
   let e = max<real>(get(c.restitution, rowA), get(c.restitution, rowB));

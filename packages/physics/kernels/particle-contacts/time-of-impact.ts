@@ -49,6 +49,8 @@ export function timeSinceRoundImpact(
       time -= (px * px + py * py + pz * pz - reach * reach) / slope;
     }
   }
+  // Bodies that overlap have met: where that was just now, rounding may put it behind the end of the step.
+  if (time < 0 && gap <= 0) time = 0;
   if (!(time >= 0 && time <= dt)) return -1;
   const half = <real>0.5 * time;
   const px = dx - time * (vx - half * ax);
