@@ -1,8 +1,9 @@
 // Warnings about forces that do not go with the integrator of the world.
 import { warnOnce } from '../errors/warn-once.ts';
-import type { Force, PhysicsWorld } from '../world/types.ts';
+import type { Force, Integrator, PhysicsWorld } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
 import { parameterOf } from './force-parameters.ts';
+import { growthRate } from './gyration-growth.ts';
 
 export function warnAboutSchemes(world: PhysicsWorld, dt: number): void {
   warnAboutVelocities(world);
@@ -39,45 +40,63 @@ function actsOnAnything({ internal }: PhysicsWorld, { reads }: Force): boolean {
   return reads.every((component) => counts[component] !== 0);
 }
 
-/** Schemes of first order that add to a velocity what is perpendicular to it. */
-const LENGTHENING = ['explicit Euler', 'semi-implicit Euler', 'position-first Euler'];
+/** Speeds that change by less in a minute are not worth a word. */
+const SLOW_CHANGE = 0.01;
 
-/** Speeds that grow by less in a minute are not worth a word. */
-const SLOW_GROWTH = 0.01;
-
-/** Such a scheme gains (Ω h)²/2 of the speed in a step or sub-step of h, where a force turns the velocity by Ω, rad/s. */
+/** No scheme but that of Boris keeps the speed of what a force turns by Ω, rad/s. */
 function warnAboutGyration(world: PhysicsWorld, dt: number): void {
-  const { name, solvesWalls, evaluations } = world.integrator;
-  if (solvesWalls !== true && !LENGTHENING.includes(name)) return;
+  const { integrator } = world;
+  if (growthRate(integrator, 0, dt) === undefined) return;
   const drag = dragRates(world);
   for (const force of world.forces) {
     const turning = turningOf(world, force);
     if (turning === undefined) continue;
-    const rateOf = (id: number) => ((turning(id) * turning(id)) / 2) * (dt / evaluations);
-    const faster = firstRow(
+    const rateOf = (id: number) => growthRate(integrator, turning(id), dt) ?? 0;
+    // Where drag takes more than is gained nothing gets faster, and where it takes more than is lost it is what counts.
+    const changed = firstRow(
       world,
-      (id) => world.components.Mass.value[id] > 0 && 60 * (rateOf(id) - drag(id)) > SLOW_GROWTH,
+      (id) => world.components.Mass.value[id] > 0 && 60 * (Math.abs(rateOf(id)) - drag(id)) > SLOW_CHANGE,
     );
-    if (faster === 0) continue;
-    const percent = Number((100 * rateOf(faster)).toPrecision(2));
+    if (changed === 0) continue;
     const scheme =
-      solvesWalls === true
+      integrator.solvesWalls === true
         ? 'rigid bodies move by semi-implicit Euler in their sub-steps'
-        : `the integrator is ${name}`;
-    const isField = force.name.startsWith('magnetic field');
-    const gain = isField
-      ? `charges in the magnetic field gain ${percent} % of their speed a second`
-      : `"${force.name}" makes body ${faster} faster by ${percent} % a second, though it does no work`;
-    const other = isField ? 'boris({ field })' : 'velocityVerlet or rungeKutta4';
+        : `the integrator is ${integrator.name}`;
     const warning = {
-      message: `${gain}, because ${scheme}.`,
-      hint:
-        solvesWalls === true
-          ? `Take more sub-steps, softStep({ substeps: 64 }), or for ${isField ? 'charges' : 'bodies'} that are discs \`preset: particleContacts\` with ${other}.`
-          : `Take ${other}.`,
+      message: `${changeOfSpeed(force, changed, rateOf(changed))}, because ${scheme}.`,
+      hint: hintOnGyration(integrator, force),
     };
     warnOnce(world, warning, `gyration: ${force.name}`);
   }
+}
+
+const isMagnetic = ({ name }: Force) => name.startsWith('magnetic field');
+
+/** Rates above one a second are told by the time in which the speed doubles, or halves: per second they would be figures that nobody grasps. */
+function changeOfSpeed(force: Force, body: number, rate: number): string {
+  const size = Math.abs(rate);
+  const percent = Number((100 * size).toPrecision(2));
+  const seconds = Number((Math.LN2 / size).toPrecision(2));
+  const gains = rate > 0;
+  if (isMagnetic(force)) {
+    const change = gains ? `double their speed every ${seconds} s` : `lose half of their speed every ${seconds} s`;
+    const slowly = `${gains ? 'gain' : 'lose'} ${percent} % of their speed a second`;
+    return `charges in the magnetic field ${size > 1 ? change : slowly}`;
+  }
+  const fast = `"${force.name}" ${gains ? 'doubles' : 'halves'} the speed of body ${body} every ${seconds} s`;
+  const slow = `"${force.name}" makes body ${body} ${gains ? 'faster' : 'slower'} by ${percent} % a second`;
+  return `${size > 1 ? fast : slow}, though it does no work`;
+}
+
+function hintOnGyration({ name, order, solvesWalls }: Integrator, force: Force): string {
+  const isField = isMagnetic(force);
+  if (solvesWalls === true) {
+    const other = isField ? 'boris({ field })' : 'velocityVerlet or rungeKutta4';
+    return `Take more sub-steps, softStep({ substeps: 64 }), or for ${isField ? 'charges' : 'bodies'} that are discs \`preset: particleContacts\` with ${other}.`;
+  }
+  if (isField) return 'Take boris({ field }).';
+  if (name === 'Runge-Kutta 4') return 'Take shorter steps.';
+  return order === 1 ? 'Take velocityVerlet or rungeKutta4.' : 'Take rungeKutta4, or shorter steps.';
 }
 
 type Rate = (id: number) => number;
@@ -109,7 +128,7 @@ function lengthOf([x, y, z]: readonly number[]): number {
   return Math.sqrt(x * x + y * y + z * z);
 }
 
-/** What drag takes of the speed in a second: where that is more than it gains, nothing gets faster. */
+/** What drag takes of the speed in a second. */
 function dragRates(world: PhysicsWorld): Rate {
   const { LinearDrag, Mass, QuadraticDrag, Velocity } = world.components;
   const read = new Set(world.forces.flatMap(({ reads }) => reads));

@@ -9,7 +9,8 @@
 // step, velocity Verlet, the default, gains (Ω dt)⁴/8, and Runge-Kutta 4 loses (Ω dt)⁶/144. With velocity Verlet the speed grows
 // as e^((Ω dt)⁴ n/8) in n steps: with one turn a second and 60 steps to 2.5 times in 1000 s, with 30 steps to 4 times in 200 s.
 // Rigid bodies move by semi-implicit Euler in sub-steps of h, so that the speed grows as e^(Ω² h t/2): with Ω = 1/s, four
-// sub-steps and 1/60 s by a quarter in 100 s, with 5/s a hundredfold. A warning tells the rate, also under Euler's schemes. The integrator `boris` turns the
+// sub-steps and 1/60 s by a quarter in 100 s, with 5/s a hundredfold. A warning tells the rate under every integrator that changes
+// the speed by more than 1 % in a minute. The integrator `boris` turns the
 // velocity instead and conserves the speed to rounding for any dt: prefer it where a charge makes more than a few turns, and
 // omit this force then. The electric field induced by a changing magnetic field is not included. Lorentz
 // (1895); Jackson, Classical Electrodynamics, section 12.2; Birdsall and Langdon, Plasma Physics via Computer

@@ -7,7 +7,8 @@
 // All quantities are in the component Engine. At the start of a step fuel and Mass decrease by the burnt mass; an
 // engine whose fuel ends within the step burns the rest. The thrust is the constant force that gives the remaining
 // mass v_e ln(m₀/m₁) in that step, so Δv is exact with every dt and every integrator
-// but positionVerlet, which leaves out half of the first step. Gravity is independent of the
+// but positionVerlet, which leaves out half of the first step. In `f32` it is exact but for the rounding of the velocity in each step: weak
+// engines that burn for long take `f64`, because an ion engine that adds 30 µm/s a step at 32 m/s gains 1 % too much in 5 h at 60 Hz. Gravity is independent of the
 // time of the mass loss within the step; a force not proportional to mass, such as drag, acts on the mass at the end
 // of the step. Valid for exhaust far slower than light. A body that is fuel only would reach an infinite speed: it keeps a
 // millionth of the mass that it has at the start of its last step. So there Δv depends on dt: 14 v_e where one step burns
