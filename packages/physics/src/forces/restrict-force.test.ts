@@ -7,11 +7,13 @@ import {
   createPhysicsWorld,
   defineComponent,
   defineForce,
+  dormandPrince,
   energy,
   type Force,
   heun,
   linearDrag,
   PhysicsError,
+  positionVerlet,
   type Region,
   realField,
   restrictForce,
@@ -23,6 +25,8 @@ import {
   uniformGravity,
   velocityVerlet,
   type Warning,
+  yoshida4,
+  yoshida6,
 } from '../index.ts';
 
 const gravity = uniformGravity({ y: -10 });
@@ -228,6 +232,26 @@ describe('restrictForce', () => {
     const { world } = single([restrictForce(restrictForce(gravity, limits), other)]);
     step(world, 0.1);
     expect(world.internal.plan?.isOneLoop).toBe(true);
+  });
+
+  // Whatever the limits, what they give is that of a whole number of stages.
+  test.each([
+    [velocityVerlet, 1],
+    [rungeKutta4, 1],
+    [yoshida4, 2],
+    [yoshida6, 1.5],
+    [positionVerlet, 1.5],
+    [dormandPrince(), 0.1],
+  ] as const)('under $0.name limits of time are rounded by at most $1 steps', (integrator, most) => {
+    for (let k = 0; k < 10; k++) {
+      const [from, length, dt] = [0.1 + k * 0.0037, 0.2503 + k * 0.001, 1 / 60];
+      const within = restrictForce(gravity, { from, until: from + length });
+      const world = createPhysicsWorld({ integrator, precision: 'f64', capacity: 4, forces: [within] });
+      const id = spawn(world, { position: {}, velocity: {}, mass: 1 });
+      for (let i = 0; i < 40; i++) step(world, dt);
+      const seconds = -world.components.Velocity.y[id] / 10;
+      expect(Math.abs(seconds - length)).toBeLessThan(most * dt * (1 + 1e-9));
+    }
   });
 
   test('applies nested limits together', () => {

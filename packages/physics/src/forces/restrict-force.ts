@@ -5,6 +5,10 @@
 // contribution of other forces outside the limits is undone exactly. Resources consumed at the start of a step, such
 // as fuel, are consumed only inside the limits.
 //
+// Limits of time are rounded to the stages of a step: switched on or off within a step, a force gives an impulse that is off by at most
+// one step of it, F dt (two with `yoshida4`, one and a half with `yoshida6` and `positionVerlet`). `dormandPrince` and `gaussRadau` take
+// sub-steps at the jump and are off by less than a tenth of a step; they may report E_STEP there.
+//
 // A force of pairs, such as springs or mutual gravity, that is restricted to a group or a region acts on those ends of its pairs
 // that are within, so that neither momentum nor energy is kept; a warning says so. Restricted in time it is whole.
 //
@@ -40,6 +44,9 @@ let depth = 0;
 /**
  * Restricts a force to bodies with a component, to a region or to a time. Restricted to a region it has no potential: what it
  * does is missing from `energy(world)`.
+ * Times `from` and `until`, s, are rounded to the stages of a step: the impulse is off by at most F dt, one step of the force (two
+ * with `yoshida4`, one and a half with `yoshida6` and `positionVerlet`), with `dormandPrince` and `gaussRadau` by less than a tenth
+ * of that, though they may report E_STEP at the jump.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room
  */
 export function restrictForce(force: Force, limits: Restrictions): Force {
