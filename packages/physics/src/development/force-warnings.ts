@@ -1,7 +1,8 @@
 // Warnings about forces: those that act twice, and those that cannot act as they were meant to.
-import { bitOf } from '../components/membership.ts';
+import { COMPONENTS, type ComponentName } from '../components/all.ts';
+import { bitOf, bitsOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
-import type { Force, ParameterSource, PhysicsWorld } from '../world/types.ts';
+import type { Force, Law, ParameterSource, PhysicsWorld } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
 import { constantsOf } from './force-parameters.ts';
 
@@ -168,24 +169,61 @@ function warnAboutFuel(world: PhysicsWorld): void {
   warnOnce(world, { message, hint }, 'fuel above mass');
 }
 
+/** What a body may lack that a torque is meant to turn. */
+const TURNING = ['Inertia', 'InertiaTensor', 'AngularVelocity', 'Rotation', 'Orientation'];
+
 /** Worlds of rigid bodies ask this of every body. */
 function warnAboutTorques(world: PhysicsWorld): void {
   if (world.integrator.solvesWalls === true) return;
-  if (!world.forces.some(({ name, law }) => name === 'constant torque' && law?.torque !== undefined)) return;
-  const { members } = world.internal;
-  const { Inertia, Mass, MotionLocks } = world.components;
-  const [inertia, turning] = [bitOf('Inertia'), bitOf('AngularVelocity')];
-  const isStill = (id: number) => (members[id] & (inertia | turning)) === inertia;
-  const isMeantToTurn = (id: number) => Inertia.value[id] > 0 && Mass.value[id] > 0 && MotionLocks.angle[id] === 0;
-  const still = firstRow(world, (id) => isStill(id) && isMeantToTurn(id));
+  for (const { name, law, reads } of world.forces) {
+    // On which bodies a law acts that reads components of the user is not asked here.
+    if (law?.torque === undefined || readsOwnComponents(law)) continue;
+    const known = reads.filter((each): each is ComponentName => each in COMPONENTS && !TURNING.includes(each));
+    warnAboutTorque(world, name === 'constant torque' ? 'constantTorque' : `"${name}"`, known);
+  }
+}
+
+/** An expression: those of laws have these fields. */
+type Tree = NonNullable<Law['torque']>;
+
+/** Whether the torque asks for a component of the user, which the `reads` of a force leave out. */
+function readsOwnComponents({ torque }: Law): boolean {
+  const isOwn = ({ op, data }: Tree) =>
+    (op === 'column' && typeof (data as { component: unknown }).component !== 'string') ||
+    (op === 'has' && typeof data !== 'string');
+  const seen = new Set<unknown>();
+  const visit = (expression: Tree): boolean => {
+    if (seen.has(expression)) return false;
+    seen.add(expression);
+    return isOwn(expression) || expression.args.some((each) => visit(each as Tree));
+  };
+  return torque !== undefined && visit(torque);
+}
+
+/** Names a body that a torque acts on and does not turn: one that has the moment of inertia or the spin, but not both. */
+function warnAboutTorque(world: PhysicsWorld, force: string, reads: readonly ComponentName[]): void {
+  const { members, moreMembers } = world.internal;
+  const { Mass, MotionLocks, Inertia } = world.components;
+  const { first, second } = bitsOf(reads);
+  const [inertia, turning] = [bitOf('Inertia') | bitOf('InertiaTensor'), bitOf('AngularVelocity')];
+  const isActedOn = (id: number) =>
+    (members[id] & first) === first && (moreMembers[id] & second) === second && Mass.value[id] > 0;
+  // An infinite moment of inertia is stored as 0.
+  const isHeld = (id: number) =>
+    MotionLocks.angle[id] !== 0 || ((members[id] & inertia) !== 0 && !(Inertia.value[id] > 0));
+  const hasOneOf = (id: number) => ((members[id] & inertia) !== 0) !== ((members[id] & turning) !== 0);
+  const still = firstRow(world, (id) => hasOneOf(id) && isActedOn(id) && !isHeld(id));
   if (still === 0) return;
   const pose =
     world.dimensions === 2 ? '`rotation: 0` and `angularVelocity: 0`' : '`orientation: {}` and `angularVelocity: {}`';
+  const isWithoutInertia = (members[still] & inertia) === 0;
   const warning = {
-    message: `constantTorque does not turn body ${still}, because it has Inertia and no AngularVelocity.`,
-    hint: `Spawn it with ${pose} as well.`,
+    message: `${force} does not turn body ${still}, because it has ${isWithoutInertia ? 'AngularVelocity and no Inertia' : 'Inertia and no AngularVelocity'}.`,
+    hint: isWithoutInertia
+      ? 'Spawn it with `inertia` as well, such as discInertia(mass, radius).'
+      : `Spawn it with ${pose} as well.`,
   };
-  warnOnce(world, warning, 'torque without AngularVelocity');
+  warnOnce(world, warning, `torque of ${force}`);
 }
 
 /** A drag that takes more than twice the speed of a body in a step throws it back, faster each time. */
