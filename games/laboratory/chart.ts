@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import { createChartCard, lineNames } from './chart-card.ts';
 import { type ChartLine, chartLines } from './chart-lines.ts';
 import { baseOptions, fitChart } from './chart-options.ts';
+import { csvNames } from './csv-names.ts';
 import type { LabRun } from './lab-run.ts';
 import { plainNumber } from './number-text.ts';
 import { Samples } from './samples.ts';
@@ -136,8 +137,9 @@ export class Chart {
   }
 
   #csv(): string {
-    const names = this.#lines.flatMap(({ label }) => (this.#isPath ? [`${this.#xLabel} (${label})`, label] : [label]));
-    return csvOf(['t, s', ...names], this.#samples.columns);
+    const labels = this.#lines.map(({ label }) => label);
+    const x = this.#isPath ? this.#xLabel : undefined;
+    return csvOf(csvNames(labels, this.#yLabel, x), this.#samples.columns);
   }
 
   #timeOptions(): uPlot.Options {

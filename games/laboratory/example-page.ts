@@ -15,6 +15,7 @@ import {
 } from '@principia/shell';
 import type { CodePanel } from './code-panel.ts';
 import { chosenIntegrator, parameterValues, SHOWN_SETTINGS, settingsOf } from './example-settings.ts';
+import { unitsOf } from './example-units.ts';
 import type { Ghosts } from './ghosts.ts';
 import { keyName } from './key-name.ts';
 import type { LabRun } from './lab-run.ts';
@@ -60,6 +61,7 @@ export async function openExample(entry: ExampleEntry, query: URLSearchParams): 
       title: example.title,
       hasSheet: true,
       hasTimeline: true,
+      units: unitsOf(probe.plots),
       // A whole run, so that each moment of it can be seen again.
       rewindSeconds: () => rewindSeconds(example),
       settings,

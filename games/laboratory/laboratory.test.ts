@@ -1,6 +1,8 @@
 import { EXAMPLES } from '@principia/scenes/examples/list';
 import { csvOf } from '@principia/shell';
 import { expect, test } from 'vitest';
+import { csvNames } from './csv-names.ts';
+import { unitsOf } from './example-units.ts';
 import { gridLines } from './grid-lines.ts';
 import { percentage, plainNumber } from './number-text.ts';
 import { plotSentence } from './plot-sentence.ts';
@@ -65,6 +67,21 @@ test('tables have a line of names, which are quoted where they have a comma', ()
       ],
     ),
   ).toBe('"t, s",x\n0,2\n1,3.5\n');
+});
+
+test('the columns of a plot have its unit', () => {
+  expect(csvNames(['stepped', 'exact'], 'x, px')).toEqual(['t, s', 'x, px (stepped)', 'x, px (exact)']);
+  expect(csvNames(['path'], 'v, px/s', 'x, px')).toEqual(['t, s', 'x, px (path)', 'v, px/s (path)']);
+});
+
+test('an example in pixels has them on its whole page', async () => {
+  const unitsOfExample = async (id: string) => {
+    const entry = EXAMPLES.find((each) => each.id === id);
+    return unitsOf((await entry?.load())?.start().plots ?? []);
+  };
+  expect(await unitsOfExample('ch08-damped')).toMatchObject({ m: 'px', J: 'kg px²/s²' });
+  expect(await unitsOfExample('ch05-projectile-energy')).toMatchObject({ 'm/s': 'px/s' });
+  expect(await unitsOfExample('ch12-fireworks')).toEqual({});
 });
 
 test('a search for a chapter finds that chapter alone, and other words wherever they are', () => {

@@ -38,3 +38,12 @@ it('shows the range of the values that there are, and zero', () => {
   expect(range(Number.NaN)).toEqual([0, 1]);
   expect(range(5)).toEqual([0, 5 * 1.08]);
 });
+
+it('begins with the time 0, and then shows the last seconds', () => {
+  const source = { unit: 'm', series: ['x'], read: () => {} };
+  const { scales = {} } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const range = scales.x.range as (chart: unknown, low: number, high: number) => [number, number];
+  expect(range(undefined, 0, 0)).toEqual([0, 1]);
+  expect(range(undefined, 0, 5)).toEqual([0, 5]);
+  expect(range(undefined, 18, 30)).toEqual([18, 30]);
+});

@@ -55,6 +55,11 @@ const SIZE = {
   cursor: { show: false },
 };
 
+/** The last seconds, and none before the time 0 unless there are samples of it. */
+function lastSeconds(low: number, high: number, seconds: number): [number, number] {
+  return [Math.min(low, Math.max(0, high - seconds)), Math.max(high, low + 1)];
+}
+
 /** @param seconds width of the time axis @param mark the time where a line is drawn, s, or not a number */
 export function timeOptions(
   source: PlotSource,
@@ -67,7 +72,7 @@ export function timeOptions(
     padding: [6, halfOfLast, 0, 0],
     hooks: { draw: [(chart) => drawTimeMark(chart, mark())] },
     scales: {
-      x: { time: false, range: (_, low, high) => [Math.min(low, high - seconds), Math.max(high, low + 1)] },
+      x: { time: false, range: (_, low, high) => lastSeconds(low, high, seconds) },
       y: { range: ({ data }) => rangeWithZero(data.slice(1) as Float64Array[]) },
     },
     axes: axes(secondsText, source),

@@ -11,11 +11,11 @@ const PREFIXES = [
   [1e-9, 'n'],
 ] as const;
 
-/** Formats a number for a narrow axis: `12.3 mJ`, `5 km`. Compound units get no prefix. */
+/** Formats a number for a narrow axis: `12.3 mJ`, `5 km`. Compound units and pixels get no prefix. */
 export function siNumber(value: number, unit: string): string {
   const size = Math.abs(value);
   if (size === 0 || unit === '') return `${short(value)}${unit === '' ? '' : ` ${unit}`}`;
-  if (/[ /²³]/.test(unit)) return `${short(value)} ${unit}`;
+  if (unit === 'px' || /[ /²³]/.test(unit)) return `${short(value)} ${unit}`;
   const [factor, prefix] = PREFIXES.find(([from]) => size >= from * (1 - 1e-12)) ?? [1e-9, 'n'];
   return `${short(value / factor)} ${prefix}${unit}`;
 }
