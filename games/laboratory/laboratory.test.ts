@@ -74,6 +74,14 @@ test('the columns of a plot have its unit', () => {
   expect(csvNames(['path'], 'v, px/s', 'x, px')).toEqual(['t, s', 'x, px (path)', 'v, px/s (path)']);
 });
 
+test('no plot of an example has the name of a general one of its page', async () => {
+  for (const entry of EXAMPLES) {
+    const titles = (await entry.load()).start().plots.map(({ title }) => title);
+    for (const total of ['Energy', 'Momentum', 'Angular momentum']) expect(titles, entry.id).not.toContain(total);
+    expect(new Set(titles).size, entry.id).toBe(titles.length);
+  }
+});
+
 test('an example in pixels has them on its whole page', async () => {
   const unitsOfExample = async (id: string) => {
     const entry = EXAMPLES.find((each) => each.id === id);

@@ -50,10 +50,10 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Energy',
+      'Energy of motion and height',
       'E, kg px²/s²',
-      { label: 'height', value: ({ world }) => energy(world).potential },
       { label: 'motion', value: ({ world }) => energy(world).kinetic },
+      { label: 'height', value: ({ world }) => energy(world).potential },
       { label: 'total', value: ({ world }) => energy(world).total },
     ),
   ],

@@ -59,7 +59,7 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Energy',
+      'Energies',
       'energy, kg px²/s²',
       { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
       { label: 'potential', value: ({ world }) => energy(world).potential },

@@ -48,7 +48,9 @@ export default defineExample({
       trails: leaves.slice(0, 20).map((body) => ({ body, length: 250, interval: 4 })),
     };
   },
-  plots: (plot) => [plot('Energy', 'change, fraction', { label: 'all', value: ({ change }) => change() })],
+  plots: (plot) => [
+    plot('Change of the energy', 'change, fraction', { label: 'all', value: ({ change }) => change() }),
+  ],
   checks: ({ at }) => [
     at(
       1 / 240,

@@ -76,9 +76,9 @@ export default defineExample({
     };
   },
   plots: (plot) => [
-    plot('Energy', 'of the start', { label: 'all balls', value: ({ share }) => share() }),
+    plot('Share of the energy', 'of the start', { label: 'all balls', value: ({ share }) => share() }),
     plot(
-      'Momentum',
+      'Momentum of all',
       'p, kg px/s',
       { label: 'along x', value: ({ world }) => momentum(world).x },
       { label: 'along y', value: ({ world }) => momentum(world).y },

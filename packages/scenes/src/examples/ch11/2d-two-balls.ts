@@ -80,7 +80,7 @@ export default defineExample({
       { label: 'blue', value: ({ world, blue, vx }) => world.components.Mass.value[blue] * vx(blue) },
       { label: 'sum', value: ({ world }) => momentum(world).x },
     ),
-    plot('Energy', 'E, kg px²/s²', { label: 'both', value: ({ world }) => energy(world).kinetic }),
+    plot('Energy of motion', 'E, kg px²/s²', { label: 'both', value: ({ world }) => energy(world).kinetic }),
   ],
   checks: ({ at }) => [
     at(

@@ -84,7 +84,7 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Energy',
+      'Energies',
       'E, kg px²/s²',
       { label: 'of the gas', value: ({ world }) => energy(world).kinetic },
       { label: 'brought along', value: ({ gas }) => gas.brought },

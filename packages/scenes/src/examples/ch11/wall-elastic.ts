@@ -48,7 +48,7 @@ export default defineExample({
       { label: 'along x', value: ({ world, ball }) => velocityOf(world, ball).x },
       { label: 'along y', value: ({ world, ball }) => velocityOf(world, ball).y },
     ),
-    plot('Energy', 'E, kg px²/s²', { label: 'ball', value: ({ world }) => energy(world).kinetic }),
+    plot('Energy of motion', 'E, kg px²/s²', { label: 'ball', value: ({ world }) => energy(world).kinetic }),
   ],
   checks: ({ at }) => [
     at(

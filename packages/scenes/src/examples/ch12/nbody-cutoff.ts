@@ -49,7 +49,7 @@ export default defineExample({
   },
   plots: (plot) => [
     plot(
-      'Energy',
+      'Energies',
       'E, kg px²/s²',
       { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
       { label: 'potential', value: ({ world }) => energy(world).potential },

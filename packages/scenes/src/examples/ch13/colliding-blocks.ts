@@ -78,7 +78,7 @@ export default defineExample({
     };
   },
   plots: (plot) => [
-    plot('Energy', 'E, J', { label: 'all blocks', value: ({ world }) => energy(world).total }),
+    plot('Total energy', 'E, J', { label: 'all blocks', value: ({ world }) => energy(world).total }),
     plot('Asleep', 'blocks', { label: 'asleep', value: ({ world }) => asleepCount(world) }),
   ],
   checks: ({ at, largest }) => [

@@ -78,7 +78,7 @@ export default defineExample({
       { label: 'middle', value: ({ speed }) => speed(2) },
       { label: 'last', value: ({ speed }) => speed(4) },
     ),
-    plot('Energy', 'E, J', { label: 'total', value: ({ world }) => energy(world).total }),
+    plot('Total energy', 'E, J', { label: 'total', value: ({ world }) => energy(world).total }),
   ],
   checks: ({ at, largest }) => [
     largest(

@@ -52,7 +52,7 @@ export default defineExample({
   picture: (run, { dance }) => threeBodyPicture(run, 3, 2, DANCES[dance].period),
   plots: (plot) => [
     plot(
-      'Energy',
+      'Energies',
       'energy, J',
       { label: 'kinetic', value: ({ world }) => energy(world).kinetic },
       { label: 'total', value: ({ world }) => energy(world).total },

@@ -129,7 +129,7 @@ export default defineExample({
   picture: () => ({ view: { minX: -LENGTH / 2 - 0.1, maxX: LENGTH / 2 + 0.1, minY: -0.1, maxY: HEIGHT } }),
   plots: (plot) => [
     plot('Middle of the water', 'x, m', { label: 'x', value: ({ shift }) => shift() }),
-    plot('Energy', 'E, J', { label: 'kinetic', value: ({ world }) => energy(world).kinetic }),
+    plot('Energy of motion', 'E, J', { label: 'kinetic', value: ({ world }) => energy(world).kinetic }),
   ],
   checks: ({ mean }) => [
     {

@@ -75,7 +75,7 @@ export const ENCOUNTER_PLOTS = [
     ],
   },
   {
-    title: 'Energy',
+    title: 'Energy of motion',
     y: { label: 'E, J' },
     series: [{ label: 'both', value: ({ world }: EncounterRun) => energy(world).kinetic }],
   },
