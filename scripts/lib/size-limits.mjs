@@ -23,18 +23,18 @@ export const bundles = [
     imports: particles,
     limits: [64.6, 61.3],
   },
-  { name: 'with emitters', title: 'with emitters', imports: `${particles} ${emitters}`, limits: [77.3, 73] },
+  { name: 'with emitters', title: 'with emitters', imports: `${particles} ${emitters}`, limits: [77.4, 73] },
   {
     name: 'with contacts',
     title: 'with contacts',
     imports: `${particles} ${emitters} ${contacts}`,
-    limits: [107, 89.9],
+    limits: [107.1, 89.9],
   },
   {
     name: 'rigid bodies in 2D',
     title: 'rigid bodies in 2D: shapes, joints, events, queries, walls',
     imports: rigid,
-    limits: [226.6, 152.4],
+    limits: [227.1, 152.6],
   },
-  { name: 'everything', title: 'everything', imports: '*', limits: [384, 272.5] },
+  { name: 'everything', title: 'everything', imports: '*', limits: [384.6, 273] },
 ];
