@@ -175,8 +175,8 @@ html:has(> body > .game:not(.game-inside)), body:has(> .game:not(.game-inside)) 
   .game-bar { right: 0; flex-wrap: nowrap; gap: 5px; padding-right: 12px }
   .game-bar :is(button, a) { flex: 1; min-width: 0; max-width: 48px; height: 44px; padding: 0 } }
 @container ${NARROW} { .game:has(.game-side:not([hidden])) > .game-timeline { right: 0 }
-  /* The panel ends above the bar, which lies over it. */
-  .game:has(> .game-timeline) .game-side { max-height: calc(100% - 122px - env(safe-area-inset-bottom)) } }
+  /* The panel ends above the bar, which lies over it. A sheet lies beside the bar, or below it. */
+  .game:not(.game-sheet):has(> .game-timeline) .game-side { max-height: calc(100% - 122px - env(safe-area-inset-bottom)) } }
 .game-sheet .game-side { width: 320px } .game-sheet .game-side .lil-gui { --width: 100% }
 @container (min-width: 760px) and (min-height: 480px) { .game-sheet:has(.game-side:not([hidden])) > :is(.game-bar, .game-timeline) { right: 344px } }
 @container (max-width: 759px) { .game-sheet .game-side { top: 54%; right: 0; bottom: 0; left: 0; width: auto; max-height: none; border-radius: 18px 18px 0 0 }
