@@ -72,7 +72,7 @@ function warnAboutGyration(world: PhysicsWorld, dt: number): void {
 
 const isMagnetic = ({ name }: Force) => name.startsWith('magnetic field');
 
-/** Rates above one a second are told by the time in which the speed doubles, or halves: per second they would be figures that nobody grasps. */
+/** Rates above 1/s are stated as the time in which the speed doubles or halves, because per cents a second would be huge numbers. */
 function changeOfSpeed(force: Force, body: number, rate: number): string {
   const size = Math.abs(rate);
   const percent = Number((100 * size).toPrecision(2));

@@ -105,13 +105,8 @@ export function closeLoops(
   softness.massScale = scale;
 }
 
-// The directions of a mechanism as its bodies stand now, for `respondClosed`.
-export function listDirections(t: JointTable, rigid: RigidTable, mechanism: Mechanism): void {
-  listRows(t, rigid, mechanism, 0);
-}
-
 // What the bodies of a mechanism of a single tree do that is at rest, and whose loops are to stay closed, under an impulse on one of
-// them: their velocities.
+// them: their velocities. Its directions have been listed.
 export function respondClosed(t: JointTable, mechanism: Mechanism, body: usize, x: f64, y: f64, turn: f64): void {
   const tree = treeOfMechanism(t, mechanism, 0);
   pushBody(body, x, y, turn);
@@ -123,7 +118,8 @@ export function respondClosed(t: JointTable, mechanism: Mechanism, body: usize, 
   respond(t, tree);
 }
 
-function listRows(t: JointTable, rigid: RigidTable, mechanism: Mechanism, bias: f64): void {
+// Lists the directions of a mechanism as its bodies are now.
+export function listRows(t: JointTable, rigid: RigidTable, mechanism: Mechanism, bias: f64): void {
   mechanism.rows = 0;
   for (let i = 0; i < mechanism.count; i++) {
     const work = workAt(t, mechanism.first + i);

@@ -48,7 +48,7 @@ const LEAVES: f64 = 0.05;
 
 // What bears goes on to do so this near to its limit, m or rad, as long as it needs to push: what rests on it does not tremble.
 const SLOP: f64 = 0.05;
-// It comes back to it by this part of the rate at which gaps close, and so in a sub-step and a half. Contacts that are solved in turn
+// It comes back to it at this many times the rate at which gaps close, within a few sub-steps. Contacts that are solved in turn
 // with joints move it away: where others press a limb against its limit, and where they keep another limit of the tree passed. Beyond
 // the slop it would be free for a sub-step, with all that presses on it, and fall on its limit: heaps of ragdolls would never rest.
 const RETURN: f64 = 2.5;

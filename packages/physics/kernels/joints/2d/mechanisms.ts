@@ -35,7 +35,7 @@ const MOST_WORK: i32 = 8192;
 // The number of the mechanism that a tree belongs to, or -1.
 // @ts-ignore: decorator
 @inline export function mechanismOf(t: JointTable, tree: i32): i32 {
-  return word(t.mechanismOf, tree) - 1;
+  return t.mechanismCount > 0 ? word(t.mechanismOf, tree) - 1 : -1;
 }
 
 // The i-th tree of a mechanism.

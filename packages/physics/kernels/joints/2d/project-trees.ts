@@ -50,7 +50,7 @@ export function foreseeProjections(t: JointTable, rigid: RigidTable): void {
 
 // Makes the matrices of a tree, or of the mechanism that it is part of, again, and projects it.
 export function projectAgain(t: JointTable, rigid: RigidTable, tree: i32): void {
-  const number = t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
+  const number = mechanismOf(t, tree);
   if (number < 0) clearTree(t, rigid, tree);
   else {
     const mechanism = mechanismAt(t, number);
@@ -65,7 +65,7 @@ export function projectTree(t: JointTable, rigid: RigidTable, tree: i32): void {
 }
 
 function project(t: JointTable, rigid: RigidTable, tree: i32, factor: bool): void {
-  const number = t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
+  const number = mechanismOf(t, tree);
   if (number >= 0) return projectMechanism(t, rigid, mechanismAt(t, number), factor);
   gatherTree(t, rigid, tree, 0, false, factor);
   passTree(t, rigid, tree, false);

@@ -5,7 +5,7 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, ArticulatedMass, addOwnMass, freeVelocity, invert, massBeside } from './articulated-body';
 import { follow } from './hinge-locks';
-import { DISTANCE, JointTable } from './joint-table';
+import { JointTable } from './joint-table';
 import { LOOP } from './joint-trees';
 import { JointPlace, JointRow, JointWork, placeAt, rowOf, signOf, workAt } from './joint-work';
 import { coupling } from './joint-rows';

@@ -9,7 +9,7 @@ import { BodyState, putWord, stateOf, word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { ArticulatedBody, articulated, pushBody } from './articulated-body';
 import { jointed } from './brace-joints';
-import { listDirections, respondClosed } from './close-loops';
+import { listRows, respondClosed } from './close-loops';
 import { finite } from './joint-rows';
 import { JointTable } from './joint-table';
 import { treeBody } from './joint-trees';
@@ -63,25 +63,19 @@ function makeRoom(t: JointTable, tree: i32): i32 {
   const used = word(t.responsesIn, tree);
   const numbers = NUMBERS * (joints + 1);
   if (used + numbers > t.responseRoom * joints) return 0;
-  const mechanism = mechanismAbove(t, tree);
+  const mechanism = mechanismOf(t, tree);
   if (mechanism >= 0 && mechanismAt(t, mechanism).trees > 1) return 0;
   putWord(t.responsesIn, tree, used + numbers);
   t.responseCount += numbers;
   return (t.responseRoom * word(t.treeStarts, tree) + used + 1) << 1;
 }
 
-// The number of the mechanism that a tree belongs to, or -1.
-// @ts-ignore: decorator
-@inline function mechanismAbove(t: JointTable, tree: i32): i32 {
-  return t.mechanismCount > 0 ? mechanismOf(t, tree) : -1;
-}
-
 // The projection at the end leaves the velocities of the tree where trees keep them.
 function measure(t: JointTable, rigid: RigidTable, tree: i32, row: i32, to: usize): void {
   const at = treeBody(t, row);
   const body = changetype<ArticulatedBody>(at);
-  const number = mechanismAbove(t, tree);
-  if (number >= 0) listDirections(t, rigid, mechanismAt(t, number));
+  const number = mechanismOf(t, tree);
+  if (number >= 0) listRows(t, rigid, mechanismAt(t, number), 0);
   for (let axis = 0; axis < 3; axis++) {
     const x = axis == 0 ? body.mass : 0;
     const y = axis == 1 ? body.mass : 0;
