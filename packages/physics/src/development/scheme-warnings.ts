@@ -46,11 +46,11 @@ const SLOW_CHANGE = 0.01;
 /** No scheme but that of Boris keeps the speed of what a force turns by Ω, rad/s. */
 function warnAboutGyration(world: PhysicsWorld, dt: number): void {
   const { integrator } = world;
-  if (growthRate(integrator, 0, dt) === undefined) return;
-  const drag = dragRates(world);
   for (const force of world.forces) {
     const turning = turningOf(world, force);
-    if (turning === undefined) continue;
+    // Worlds without such a force do not instantiate the logarithm that the rate is made of.
+    if (turning === undefined || growthRate(integrator, 0, dt) === undefined) continue;
+    const drag = dragRates(world);
     const rateOf = (id: number) => growthRate(integrator, turning(id), dt) ?? 0;
     // Where drag takes more than is gained nothing gets faster, and where it takes more than is lost it is what counts.
     const changed = firstRow(

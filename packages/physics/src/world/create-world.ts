@@ -81,6 +81,17 @@ const OPTIONS = [
 ] as const;
 
 /**
+ * Read-only, because kernels sweep the rows up to it: a larger value would lead them beyond the columns. One getter for all
+ * worlds, because engines keep that of the first world with the shape of worlds, and with it whatever it refers to.
+ */
+const LAST_ID: PropertyDescriptor & ThisType<PhysicsWorld> = {
+  get() {
+    return this.internal.lastId;
+  },
+  enumerable: true,
+};
+
+/**
  * Creates a world synchronously. It is a bitECS world: `addEntity(world)`, `addComponent(world, eid, set(…))` and
  * `query(world, […])` work on it.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN for options; E_CAPACITY if the memory cannot be
@@ -110,8 +121,7 @@ export function createPhysicsWorld(options: PhysicsWorldOptions = {}): PhysicsWo
   const chosen = { dimensions, precision, capacity, rows, seed, forces: [...forces], integrator, onFault, onWarning };
   const internals = createInternals(arena, precision, rows, components);
   const world = createWorld({ ...chosen, ...internals }) as object as PhysicsWorld;
-  // Read-only, because kernels sweep the rows up to it: a larger value would lead them beyond the columns.
-  Object.defineProperty(world, 'lastId', { get: () => world.internal.lastId, enumerable: true });
+  Object.defineProperty(world, 'lastId', LAST_ID);
   world.internal.bitecsIdentity = identityOf(world);
   writeColumnTable(world.memory, world.addresses, world.internal.membersAt, realBytes(world.precision));
   observeComponents(world);
