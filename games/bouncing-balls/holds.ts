@@ -2,6 +2,7 @@
  * Press and hold: time stands still while one holds, or a magnet appears under the pointer and follows it, until it is let go.
  * A ring shows where.
  */
+import { placeOnCanvas } from '@principia/render-core';
 import { element } from '@principia/shell';
 
 /** How long a press rests before it counts, ms, and how far it may move meanwhile, CSS pixels. */
@@ -30,9 +31,8 @@ export function listenToHolds(
   let press: PointerEvent | undefined;
   let timer = 0;
   let held: 'nothing' | 'magnet' | 'time' = 'nothing';
-  const put = ({ clientX, clientY }: PointerEvent) => {
-    const { left, top } = canvas.getBoundingClientRect();
-    const [x, y] = [clientX - left, clientY - top];
+  const put = (event: PointerEvent) => {
+    const { x, y } = placeOnCanvas(canvas, event);
     ring.style.translate = `${x}px ${y}px`;
     ring.hidden = false;
     if (held === 'magnet') attract(x, y);

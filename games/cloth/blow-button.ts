@@ -2,6 +2,7 @@
  * Air that the player blows at the cloth: where the mouse is while a key is held, and, while a button is on, where fingers or the
  * mouse press, which then neither drag nor cut. A ring shows each place.
  */
+import { placeOnCanvas } from '@principia/render-core';
 import { element, listenToKeys } from '@principia/shell';
 import { JETS } from './air-jet.ts';
 import { WORDS } from './words.ts';
@@ -46,10 +47,7 @@ export function createBlowButton(
     button.setAttribute('aria-pressed', String(isOn));
     jets.endAll();
   });
-  const placeOf = ({ clientX, clientY }: PointerEvent): Place => {
-    const { left, top } = canvas.getBoundingClientRect();
-    return { x: clientX - left, y: clientY - top };
-  };
+  const placeOf = (event: PointerEvent): Place => placeOnCanvas(canvas, event);
   const down = (event: PointerEvent) => {
     if (!isOn || event.target !== canvas || event.button !== 0 || options.isSpaceHeld()) return;
     // The canvas would take it for a drag or a cut.

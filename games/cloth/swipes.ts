@@ -1,4 +1,5 @@
 /** Swipes that begin beside the cloth cut it; a fading line shows the blade. */
+import { placeOnCanvas } from '@principia/render-core';
 import type { ViewContext } from '@principia/shell';
 import type { Settings } from './settings.ts';
 import { type ClothRun, cutAlong } from './sim.ts';
@@ -21,10 +22,7 @@ export function listenToSwipes(
   const blade = createBlade(context.element);
   let pointer: number | undefined;
   let last: Point = { x: 0, y: 0 };
-  const locate = ({ clientX, clientY }: PointerEvent): Point => {
-    const { left, top } = canvas.getBoundingClientRect();
-    return { x: clientX - left, y: clientY - top };
-  };
+  const locate = (event: PointerEvent): Point => placeOnCanvas(canvas, event);
   const stop = new AbortController();
   const listen = (
     type: 'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel',

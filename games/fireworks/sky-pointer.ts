@@ -1,4 +1,5 @@
 /** Mouse and touch: press, hold for a larger shell, release to launch. Every pointer launches its own shell. */
+import { placeOnCanvas } from '@principia/render-core';
 import { heldStars, SHELLS } from '@principia/scenes';
 import type { ViewContext } from '@principia/shell';
 import type { PlayerControls } from './controls.ts';
@@ -32,8 +33,8 @@ export function listenToSky(
 ): SkyPointer {
   const rings = new Map<number, Ring>();
   const pointAt = (event: PointerEvent) => {
-    const { left, top } = canvas.getBoundingClientRect();
-    const { x, y, z } = mapping.world(event.clientX - left, event.clientY - top);
+    const place = placeOnCanvas(canvas, event);
+    const { x, y, z } = mapping.world(place.x, place.y);
     return clampToSky(x, y, z);
   };
   const forget = (finger: number) => {

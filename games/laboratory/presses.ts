@@ -1,4 +1,5 @@
 /** Presses on the picture where no body is: an example may let them place and launch bodies, or hold something down. */
+import { placeOnCanvas } from '@principia/render-core';
 import type { Point, PointerEventName } from '@principia/scenes/examples';
 import type { Settings, ViewContext } from '@principia/shell';
 import type { LabRun } from './lab-run.ts';
@@ -37,9 +38,9 @@ export function listenToPresses(
   const stop = new AbortController();
   let press: Press | undefined;
 
-  const placeOf = ({ clientX, clientY }: PointerEvent): Point => {
-    const { left, top } = canvas.getBoundingClientRect();
-    return pointUnder(clientX - left, clientY - top);
+  const placeOf = (event: PointerEvent): Point => {
+    const { x, y } = placeOnCanvas(canvas, event);
+    return pointUnder(x, y);
   };
   const tell = (name: PointerEventName, { run, at, from }: Press) => {
     disturb(run);

@@ -1,5 +1,7 @@
 /** The view: every body as the shape that it has, its joints, and the tools with which a pointer works on them. */
+
 import { nearestPoint } from '@principia/physics';
+import { placeOnCanvas } from '@principia/render-core';
 import { createBodyLayer } from '@principia/render-pixi';
 import { copyLink, listenToTaps, showHint, type View, type ViewContext } from '@principia/shell';
 import { openPixiView, type PixiView } from '@principia/shell/pixi';
@@ -72,9 +74,9 @@ function listenToTools(context: ViewContext<Settings, StackingRun>, view: PixiVi
   const stop = new AbortController();
   const { signal } = stop;
   const starts = new Map<number, { x: number; y: number }>();
-  const locate = ({ clientX, clientY }: PointerEvent) => {
-    const { left, top } = canvas.getBoundingClientRect();
-    return view.toWorld(clientX - left, clientY - top);
+  const locate = (event: PointerEvent) => {
+    const { x, y } = placeOnCanvas(canvas, event);
+    return view.toWorld(x, y);
   };
   const down = (event: PointerEvent) => {
     if (tool() === 'cut' && event.button === 0) starts.set(event.pointerId, locate(event));

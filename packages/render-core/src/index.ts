@@ -17,7 +17,7 @@ export type { BodyChoice } from './chosen-bodies.ts';
 export { ColumnUpload, TEXTURE_WIDTH, textureRows } from './column-upload.ts';
 export { LivingBodies } from './living-bodies.ts';
 export { listenToPointers, type PointerControl, type PointerOptions } from './pointer.ts';
-export { placeInPicture } from './pointer-place.ts';
+export { placeInPicture, placeOnCanvas } from './pointer-place.ts';
 export { PosePair, UploadedPoses } from './pose-pair.ts';
 export { ReleaseVelocity } from './release-velocity.ts';
 export { SHAPES, type ShapeKind, type ShapeName } from './shapes.ts';

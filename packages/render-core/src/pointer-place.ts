@@ -21,3 +21,12 @@ export function placeInPicture(
   out.y = (clientY - box.top) * (box.height > 0 ? height / box.height : 1);
   return out;
 }
+
+/**
+ * Where a pointer is on a canvas that is drawn for its size on the page: CSS pixels from its top left corner, before any
+ * `transform` or zoom of the page around it.
+ */
+export function placeOnCanvas(canvas: Element, { clientX, clientY }: MouseEvent): Vector2 {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  return placeInPicture(canvas, clientX, clientY, { width, height }, { x: 0, y: 0 });
+}

@@ -1,3 +1,5 @@
+import { placeOnCanvas } from '@principia/render-core';
+
 /** Distances from the craft, CSS pixels: below the first the engine is off, beyond the second it gives full thrust. */
 const DEAD_ZONE = 8;
 const FULL_THRUST = 60;
@@ -26,12 +28,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: St
   let pointer: number | undefined;
   // A typed array, because a captured variable would allocate a number on the heap in every frame.
   const sent = new Float64Array(2);
-  const place = { x: 0, y: 0 };
-  const locate = (event: PointerEvent) => {
-    const box = canvas.getBoundingClientRect();
-    place.x = event.clientX - box.left;
-    place.y = event.clientY - box.top;
-  };
+  let place = { x: 0, y: 0 };
   const send = (x: number, y: number) => {
     if (x === sent[0] && y === sent[1]) return;
     sent[0] = x;
@@ -50,7 +47,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: St
   };
   const down = (event: PointerEvent) => {
     if (event.button !== 0 || pointer !== undefined) return;
-    locate(event);
+    place = placeOnCanvas(canvas, event);
     pointer = event.pointerId;
     canvas.setPointerCapture(pointer);
     // A press always counts, for a flight that ended has forgotten the last one.
@@ -59,7 +56,7 @@ export function listenToSteering(canvas: HTMLCanvasElement, { craft, steer }: St
   };
   const move = (event: PointerEvent) => {
     if (event.pointerId !== pointer) return;
-    locate(event);
+    place = placeOnCanvas(canvas, event);
     update();
   };
   const letGo = () => {

@@ -1,3 +1,5 @@
+import { placeOnCanvas } from '@principia/render-core';
+
 /** A press that ends soon and where it began. */
 const TAP = { milliseconds: 350, pixels: 10 } as const;
 
@@ -20,8 +22,8 @@ export function listenToTaps(canvas: HTMLCanvasElement, onTap: (x: number, y: nu
     presses.delete(event.pointerId);
     if (press === undefined || event.timeStamp - press.timeStamp > TAP.milliseconds) return;
     if (Math.hypot(event.clientX - press.clientX, event.clientY - press.clientY) > TAP.pixels) return;
-    const { left, top } = canvas.getBoundingClientRect();
-    onTap(event.clientX - left, event.clientY - top);
+    const { x, y } = placeOnCanvas(canvas, event);
+    onTap(x, y);
   };
   canvas.addEventListener('pointerdown', down, { signal });
   canvas.addEventListener('pointerup', up, { signal });
