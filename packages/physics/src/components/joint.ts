@@ -1,7 +1,7 @@
 import { PhysicsError } from '../errors/physics-error.ts';
 import { bodyId, defineComponent, real, u32 } from './define.ts';
 
-/** Kinds of joints, by the number in `Joint.kind`. */
+/** Kinds of joints, by the number in `Joint.kind`: that of kernels/joints/2d/joint-table.ts. */
 export const JOINT_KINDS = [
   'revolute',
   'distance',

@@ -1,4 +1,5 @@
 // Converts the options that all joints share to fields of the component Joint, and validates them.
+import { JOINT_KINDS } from '../components/joint.ts';
 import { MAX_CAPACITY } from '../ecs/entity-ref.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import {
@@ -136,19 +137,19 @@ const REQUIRED: Readonly<Partial<Record<keyof typeof KINDS, readonly (keyof AllO
   gear: ['ratio'],
 };
 
-/** The kinds of joints, as in kernels/joints/2d/joint-table.ts, by the function that describes one. */
+/** The kind of joint that each function describes. */
 const KINDS = {
-  revolute: 0,
-  distance: 1,
-  weld: 2,
-  prismatic: 3,
-  wheel: 4,
-  motorJoint: 5,
-  mouseJoint: 5,
-  pulley: 6,
-  gear: 7,
-  filterJoint: 8,
-} as const;
+  revolute: 'revolute',
+  distance: 'distance',
+  weld: 'weld',
+  prismatic: 'prismatic',
+  wheel: 'wheel',
+  motorJoint: 'motor',
+  mouseJoint: 'motor',
+  pulley: 'pulley',
+  gear: 'gear',
+  filterJoint: 'filter',
+} as const satisfies Record<string, (typeof JOINT_KINDS)[number]>;
 
 /**
  * Checks the options of a joint and collects its fields.
@@ -172,7 +173,7 @@ export function describeJoint(
   checkMeaning(caller, options);
   const { a = 0, b, anchor, anchorA = options.target ?? anchor, anchorB = anchor, axis, pulleyA, pulleyB } = options;
   return {
-    kind: KINDS[caller],
+    kind: JOINT_KINDS.indexOf(KINDS[caller]),
     a,
     b,
     anchorA,
