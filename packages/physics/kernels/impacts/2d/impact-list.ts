@@ -81,8 +81,7 @@ function readImpact(t: RigidTable, impact: Impact, place: i32): void {
   }
   setCoupling(impact);
   // What acted at levers that followed did so on average in the middle of the step.
-  const followed = get(at + block.SHARE_A, l) + get(at + block.SHARE_B, l) > 0;
-  if (t.isLanding == 0 && followed) moveToEnd(t, impact, 0.5);
+  if (t.isLanding == 0 && get(at + block.REACH, l) > 0) moveToEnd(t, impact, 0.5);
 }
 
 // Changes the impulses of the contact by those of the rounds. The next step begins with the impulses of the last sub-step, because

@@ -19,12 +19,12 @@ export const INERTIA_B: usize = 7 * V;
 export const NX: usize = 8 * V;
 export const NY: usize = 9 * V;
 // An impulse P makes no angular momentum if its levers at a and at b differ by (x_b - x_a) × P. So they follow when b has moved by d
-// from a since the step began: that of a is longer by its share of d × P, that of b shorter by its own. The shares are 1
-// together; the lighter body has the smaller one, and turns nearly as it would alone, unless a corner is on an edge. Both are 0
-// for an impact that is foreseen, whose levers are those of its moment, for one that may bounce, whose impulses are found anew when
-// the step ends (impacts/2d), and where the bodies slide too far (finish-blocks.ts).
+// from a since the step began: that of a is longer by its share of d × P, that of b shorter by the rest. The lighter body has the
+// smaller share, and turns nearly as it would alone, unless a corner is on an edge.
 export const SHARE_A: usize = 10 * V;
-export const SHARE_B: usize = 11 * V;
+// How far along the normal and across it levers follow, m (finish-blocks.ts). 0 for an impact that is foreseen, whose levers are those
+// of its moment, and for one that may bounce, whose impulses are found anew when the step ends (impacts/2d).
+export const REACH: usize = 11 * V;
 export const ROLLING_IMPULSE: usize = 12 * V;
 // Softness: the rate at which overlap is pushed out, 1/s, times the mass scale, and the mass scale. The impulse scale is what that
 // is short of 1.
@@ -62,9 +62,11 @@ export const POINT: usize = 14 * V;
 export const CONTACT_BLOCK: usize = POINTS + 2 * POINT;
 
 // Until a block is finished (finish-blocks.ts), the anchors of each point on both surfaces, from the centres, are where its levers
-// are later, and this is in place of what is `ALONG` the normal: radii by which the shapes are rounded, and the distance from the
-// centre of a to that of b, m. Then the time from the moment of the normal to the mean of the sub-steps, s, the restitution, and
-// which body has the only point as its corner, CORNER_OF_A or CORNER_OF_B.
+// are later, and in place of the reach is what the shares are together: 1, or 0 where levers stay. In place of what is `ALONG` the
+// normal are radii by which the shapes are rounded, and the distance from the centre of a to that of b, m. Then the time from the
+// moment of the normal to the mean of the sub-steps, s, the restitution, and which body has the only point as its corner,
+// CORNER_OF_A or CORNER_OF_B.
+export const SHARES: usize = REACH;
 export const AHEAD: usize = ROLLING_MASS;
 export const RESTITUTION: usize = POINTS + TOTAL_IMPULSE;
 export const CORNER: usize = POINTS + TOTAL_TANGENT_IMPULSE;

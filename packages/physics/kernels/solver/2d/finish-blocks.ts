@@ -35,40 +35,50 @@ export function finishBlocks(t: RigidTable): void {
   setCornerShares(at, vx, vy, wA, wB);
   const second = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   if (v128.any_true(v128.lt<real>(second, splat(-block.HIT_SPEED)))) t.hitCount++;
-  stopFollowing(t, at, bounces, vx, vy);
+  setReach(t, at, bounces);
 }
 
 // Levers do not follow where an impact may bounce (impacts/2d takes back what acted at them): where points met, or parted, fast enough.
 // @ts-ignore: decorator
-@inline function stopFollowing(t: RigidTable, at: usize, bounces: v128, vx: v128, vy: v128): void {
+@inline function setReach(t: RigidTable, at: usize, bounces: v128): void {
   const first = v128.load(at, block.POINTS + block.NORMAL_SPEED);
   const second = v128.load(at, block.POINTS + block.POINT + block.NORMAL_SPEED);
   const fastest = larger(v128.abs<real>(first), v128.abs<real>(second));
   const impact = v128.and(bounces, v128.ge<real>(fastest, splat(<real>t.restitutionThreshold)));
-  const along = sub(mul(vx, v128.load(at, block.NY)), mul(vy, v128.load(at, block.NX)));
-  const stays = v128.or(impact, slidesFar(at, mul(splat(<real>t.dt), along)));
-  v128.store(at, v128.andnot(v128.load(at, block.SHARE_A), stays), block.SHARE_A);
-  v128.store(at, v128.andnot(v128.load(at, block.SHARE_B), stays), block.SHARE_B);
+  const follows = v128.andnot(v128.gt<real>(v128.load(at, block.SHARES), splat(0)), impact);
+  v128.store(at, v128.and(reachOf(at), follows), block.REACH);
 }
 
-// Whether levers that follow bodies which slide so far in the step would make a point give way twice as much as its effective mass,
-// which is that of the start, says: each pass of the solver would then overshoot by more than it corrects, and energy would grow.
+// By which part of it a point may give way more than its effective mass says, which is that of the start. Where it gives way twice as
+// much, each pass of the solver overshoots by as much as it corrects; beyond that energy grows.
+const MORE: real = 0.5;
+
+// At an inverse moment of inertia I, a lever l that is longer by w lets a point of the effective mass m give way by m I (2 l w + w²)
+// more. The root of p w² + q w = MORE, for the larger p and q of both points and directions; infinite where nothing turns.
 // @ts-ignore: decorator
-@inline function slidesFar(at: usize, way: v128): v128 {
-  const a = mul(way, v128.load(at, block.SHARE_A));
-  const b = mul(way, v128.load(at, block.SHARE_B));
-  const first = addedAt(at, at + block.POINTS, a, b);
-  return v128.gt<real>(larger(first, addedAt(at, at + block.POINTS + block.POINT, a, b)), splat(1));
+@inline function reachOf(at: usize): v128 {
+  const shareA = v128.load(at, block.SHARE_A);
+  const shareB = sub(splat(1), shareA);
+  const turnA = mul(v128.load(at, block.INERTIA_A), shareA);
+  const turnB = mul(v128.load(at, block.INERTIA_B), shareB);
+  const square = add(mul(turnA, shareA), mul(turnB, shareB));
+  let mass = splat(0);
+  let half = splat(0);
+  for (let p = at + block.POINTS; p < at + block.CONTACT_BLOCK; p += block.POINT) {
+    const normal = v128.load(p, block.NORMAL_MASS);
+    const tangent = v128.load(p, block.TANGENT_MASS);
+    mass = larger(mass, larger(normal, tangent));
+    const alongNormal = turned(turnA, v128.load(p, block.NORMAL_LEVER_A), turnB, v128.load(p, block.NORMAL_LEVER_B));
+    const alongTangent = turned(turnA, v128.load(p, block.TANGENT_LEVER_A), turnB, v128.load(p, block.TANGENT_LEVER_B));
+    half = larger(half, larger(mul(normal, alongNormal), mul(tangent, alongTangent)));
+  }
+  const more = splat(MORE);
+  return div(more, add(half, v128.sqrt<real>(add(mul(half, half), mul(more, mul(mass, square))))));
 }
 
-// By which part of it a point gives way more when the lever at a is longer by `a` and that at b shorter by `b`.
 // @ts-ignore: decorator
-@inline function addedAt(at: usize, p: usize, a: v128, b: v128): v128 {
-  const leverA = v128.load(p, block.NORMAL_LEVER_A);
-  const leverB = v128.load(p, block.NORMAL_LEVER_B);
-  const turningA = mul(v128.load(at, block.INERTIA_A), mul(a, add(add(leverA, leverA), a)));
-  const turningB = mul(v128.load(at, block.INERTIA_B), mul(b, sub(b, add(leverB, leverB))));
-  return mul(v128.load(p, block.NORMAL_MASS), add(turningA, turningB));
+@inline function turned(turnA: v128, leverA: v128, turnB: v128, leverB: v128): v128 {
+  return add(mul(turnA, v128.abs<real>(leverA)), mul(turnB, v128.abs<real>(leverB)));
 }
 
 // The angular velocity that two bodies have in common: the slower one if both turn the same way, otherwise 0.
@@ -100,12 +110,8 @@ export function finishBlocks(t: RigidTable): void {
   const along = sub(mul(vx, v128.load(at, block.NY)), mul(vy, v128.load(at, block.NX)));
   const partA = part(v128.neg<real>(mul(wA, v128.load(at, block.POINTS + block.ALONG_A))), along);
   const partB = part(mul(wB, v128.load(at, block.POINTS + block.ALONG_B)), along);
-  const follows = v128.gt<real>(add(v128.load(at, block.SHARE_A), v128.load(at, block.SHARE_B)), splat(0));
-  const one = splat(1);
-  const shareA = v128.bitselect(partA, v128.bitselect(sub(one, partB), v128.load(at, block.SHARE_A), ofB), ofA);
-  const shareB = v128.bitselect(partB, v128.bitselect(sub(one, partA), v128.load(at, block.SHARE_B), ofA), ofB);
-  v128.store(at, v128.and(shareA, follows), block.SHARE_A);
-  v128.store(at, v128.and(shareB, follows), block.SHARE_B);
+  const shareA = v128.bitselect(sub(splat(1), partB), v128.load(at, block.SHARE_A), ofB);
+  v128.store(at, v128.bitselect(partA, shareA, ofA), block.SHARE_A);
 }
 
 // Between 0 and 1.
@@ -133,7 +139,7 @@ export function finishBlocks(t: RigidTable): void {
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
   const shareA = v128.load(at, block.SHARE_A);
-  const shareB = v128.load(at, block.SHARE_B);
+  const shareB = sub(v128.load(at, block.SHARES), shareA);
   const exists = v128.gt<real>(v128.load(p, block.NORMAL_MASS), splat(0));
   const anchorAX = v128.load(p, block.AX);
   const anchorAY = v128.load(p, block.AY);

@@ -139,13 +139,13 @@ export function prepareContacts(table: usize): void {
   return (contact.flags & EDGE_OF_B) != 0 ? block.CORNER_OF_A : <real>0;
 }
 
-// Which impacts bounce is told by their speeds later (finish-blocks.ts).
+// Which impacts bounce is told by their speeds later, and how far levers follow by their lengths (finish-blocks.ts).
 // @ts-ignore: decorator
 @inline function setShares(t: RigidTable, contact: RigidContact, lane: usize): void {
   const shareA = shareOfA(t, contact);
   const follows = shareA >= 0 && (contact.flags & FORESEEN) == 0 && (contact.restitution == 0 || mayTurn(t, contact));
   store<real>(lane, follows ? shareA : <real>0, block.SHARE_A);
-  store<real>(lane, follows ? 1 - shareA : <real>0, block.SHARE_B);
+  store<real>(lane, follows ? <real>1 : <real>0, block.SHARES);
 }
 
 // Nothing turns smooth discs, and what is locked gets angular momentum from nowhere.

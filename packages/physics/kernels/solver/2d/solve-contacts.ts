@@ -39,8 +39,8 @@ export function warmStartContacts(table: usize): void {
 @inline function warmStartBlock(at: usize): void {
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
-  let px = splat(0);
-  let py = splat(0);
+  let normals = splat(0);
+  let tangents = splat(0);
   const end = endOfPoints(at);
   let turnA = v128.load(at, block.ROLLING_IMPULSE);
   let turnB = turnA;
@@ -51,8 +51,8 @@ export function warmStartContacts(table: usize): void {
   for (let p = at + block.POINTS; p < end; p += block.POINT) {
     const normal = v128.load(p, block.NORMAL_IMPULSE);
     const tangent = v128.load(p, block.TANGENT_IMPULSE);
-    px = add(px, add(mul(normal, nx), mul(tangent, ny)));
-    py = add(py, sub(mul(normal, ny), mul(tangent, nx)));
+    normals = add(normals, normal);
+    tangents = add(tangents, tangent);
     turnA = add(
       turnA,
       add(mul(normal, v128.load(p, block.NORMAL_LEVER_A)), mul(tangent, v128.load(p, block.TANGENT_LEVER_A))),
@@ -62,9 +62,15 @@ export function warmStartContacts(table: usize): void {
       add(mul(normal, v128.load(p, block.NORMAL_LEVER_B)), mul(tangent, v128.load(p, block.TANGENT_LEVER_B))),
     );
   }
-  const moved = sub(mul(dx, py), mul(dy, px));
-  turnA = add(turnA, mul(v128.load(at, block.SHARE_A), moved));
-  turnB = sub(turnB, mul(v128.load(at, block.SHARE_B), moved));
+  const reach = v128.load(at, block.REACH);
+  const along = clamp(add(mul(dx, nx), mul(dy, ny)), reach);
+  const across = clamp(sub(mul(dx, ny), mul(dy, nx)), reach);
+  const moved = sub(mul(normals, across), mul(tangents, along));
+  const movedA = mul(v128.load(at, block.SHARE_A), moved);
+  turnA = add(turnA, movedA);
+  turnB = sub(turnB, sub(moved, movedA));
+  const px = add(mul(normals, nx), mul(tangents, ny));
+  const py = sub(mul(normals, ny), mul(tangents, nx));
   const mxA = v128.load(at, block.MASS_AX);
   const myA = v128.load(at, block.MASS_AY);
   const mxB = v128.load(at, block.MASS_BX);
@@ -235,9 +241,9 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
   const along = add(mul(dx, nx), mul(dy, ny));
-  const moved = sub(mul(dx, ny), mul(dy, nx));
+  const moved = clamp(sub(mul(dx, ny), mul(dy, nx)), v128.load(at, block.REACH));
   const shiftA = mul(v128.load(at, block.SHARE_A), moved);
-  const shiftB = mul(v128.load(at, block.SHARE_B), moved);
+  const shiftB = sub(moved, shiftA);
   const end = endOfPoints(at);
   for (let p = at + block.POINTS; p < end; p += block.POINT) {
     const s = separationAt(p, along, cA, sA, cB, sB);
@@ -292,8 +298,9 @@ function relaxBlock(at: usize, inverseH: v128, lanes: v128, repeat: v128): void 
   const nx = v128.load(at, block.NX);
   const ny = v128.load(at, block.NY);
   const surface = v128.load(at, block.TANGENT_SPEED);
-  const shiftA = mul(v128.load(at, block.SHARE_A), along);
-  const shiftB = mul(v128.load(at, block.SHARE_B), along);
+  const moved = clamp(along, v128.load(at, block.REACH));
+  const shiftA = mul(v128.load(at, block.SHARE_A), moved);
+  const shiftB = sub(moved, shiftA);
   const end = endOfPoints(at);
   let total = splat(0);
   for (let p = at + block.POINTS; p < end; p += block.POINT) {
