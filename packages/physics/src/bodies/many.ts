@@ -3,9 +3,9 @@ import { COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import type { WorldView } from '../ecs/body-references.ts';
 import { assertBelongs } from '../ecs/id-lists.ts';
-import { checkField, completeValues, fieldName, initialValues } from '../ecs/values.ts';
+import { checkField, completeValues, fieldName, initialValues, isStored } from '../ecs/values.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkKeys, isWithin, mustBe } from '../errors/validate.ts';
+import { checkKeys, mustBe } from '../errors/validate.ts';
 import type { FieldValues } from '../world/types.ts';
 import type { BodyInput } from './body-input.ts';
 import { componentOfKey, lacksVelocity } from './spawn.ts';
@@ -89,7 +89,7 @@ function checkColumn(space: WorldView, name: string, spec: FieldSpec, many: unkn
   const checked = new Float64Array(count);
   for (let i = 0; i < count; i++) {
     const value: unknown = many[i];
-    const isValid = !special && isWithin(value, spec.bounds);
+    const isValid = !special && isStored(space.precision, spec, value);
     checked[i] = isValid ? value : checkField(space, spec, `${name}[${i}]`, value);
   }
   return checked;

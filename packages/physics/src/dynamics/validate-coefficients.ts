@@ -4,6 +4,7 @@ import { COMPONENT_NAMES, COMPONENTS, type ComponentName } from '../components/a
 import type { ComponentSpec, RealColumn } from '../components/define.ts';
 import { isOpen } from '../ecs/rows.ts';
 import { reportFault } from '../errors/report-fault.ts';
+import { isStorable } from '../errors/validate.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -158,12 +159,13 @@ function correctRows(
   first: number,
   last: number,
 ): void {
-  const { field, min, max } = coefficient;
+  const { field, max } = coefficient;
   const column = (world.components[component] as Readonly<Record<string, RealColumn>>)[field];
   const { hint, infinite } = (COMPONENTS[component] as ComponentSpec).fields[field];
   for (let row = first; row < last; row++) {
     const value = column[row];
-    if (value === 0 || (value >= min && value <= max)) continue;
+    // The kernel compares in the precision of the column, in which a bound may be rounded to beyond itself.
+    if (value === 0 || isStorable(value, coefficient)) continue;
     const isStored = value === Infinity && infinite === max;
     column[row] = isStored ? max : nearestValid(value, coefficient);
     if (isStored || !isOpen(world, row, component)) continue;

@@ -8,7 +8,7 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import type { FieldValues, PhysicsWorld } from '../world/types.ts';
 
 /** The parts of a world that validation needs. */
-export type WorldView = Pick<PhysicsWorld, 'dimensions' | 'capacity' | 'components' | 'internal'>;
+export type WorldView = Pick<PhysicsWorld, 'dimensions' | 'precision' | 'capacity' | 'components' | 'internal'>;
 
 /**
  * Queries bitECS rather than the rows, so that bodies created in the running step count.

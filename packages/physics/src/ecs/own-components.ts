@@ -13,6 +13,7 @@ import type { OwnColumns, OwnComponents, PhysicsWorld } from '../world/types.ts'
 import { registerColumns } from './bitecs/guard-tables.ts';
 import { capacityError } from './entity-capacity.ts';
 import { assertUsable, whenIdle } from './guards.ts';
+import { isStored, refuseNumber } from './values.ts';
 
 /**
  * @throws PhysicsError E_TYPE if the argument is not a list of components
@@ -100,7 +101,7 @@ export function observeOwnComponents(world: PhysicsWorld): void {
       Object.fromEntries(Object.keys(columns).map((field) => [field, columns[field][eid]])),
     );
     observe(world, onSet(columns), (eid: number, data: unknown) => {
-      const values = checkedValues(fields, data, eid);
+      const values = checkedValues(world.precision, fields, data, eid);
       whenIdle(world, () => {
         for (const field of Object.keys(values)) columns[field][eid] = values[field];
       });
@@ -109,16 +110,17 @@ export function observeOwnComponents(world: PhysicsWorld): void {
 }
 
 function checkedValues(
+  precision: Precision,
   fields: Readonly<Record<string, FieldSpec>>,
   data: unknown,
   entity: number,
 ): Record<string, number> {
   checkKeys(data, 'a component', Object.keys(fields), 'field');
   return Object.fromEntries(
-    Object.entries(data as object).map(([field, value]) => [
-      field,
-      checkNumber(value, field, fields[field].bounds, entity),
-    ]),
+    Object.entries(data as object).map(([field, value]) => {
+      const spec = fields[field];
+      return [field, isStored(precision, spec, value) ? value : refuseNumber(spec, field, value, entity)];
+    }),
   );
 }
 

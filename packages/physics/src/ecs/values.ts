@@ -2,7 +2,8 @@
 import { COMPONENT_NAMES, COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
-import { checkNumber, isRecord, mustBe, unknownName } from '../errors/validate.ts';
+import { checkNumber, isRecord, isStorable, mustBe, unknownName } from '../errors/validate.ts';
+import type { Precision } from '../kernels/instantiate.ts';
 import type { FieldValues } from '../world/types.ts';
 import { checkBodyId, checkNoPart, recordGenerations, type WorldView } from './body-references.ts';
 
@@ -71,7 +72,7 @@ export function fieldName(name: ComponentName, field: string): string {
 export function checkField(space: WorldView, spec: FieldSpec, name: string, value: unknown, entity?: number): number {
   if (value === Infinity && spec.infinite !== undefined) return spec.infinite;
   const given = spec.isFlag === true && typeof value === 'boolean' ? Number(value) : value;
-  const checked = checkNumber(given, name, spec.bounds, entity, spec.hint);
+  const checked = isStored(space.precision, spec, given) ? given : refuseNumber(spec, name, given, entity);
   if (spec.generationField !== undefined) checkBodyId(space, name, checked, entity);
   if (spec.refusesParts === true) checkNoPart(space, name, checked, entity);
   if (checked !== 0 && spec.spatial === true && space.dimensions === 2) {
@@ -83,6 +84,19 @@ export function checkField(space: WorldView, spec: FieldSpec, name: string, valu
     });
   }
   return checked;
+}
+
+/** Returns whether a field takes a number, in a column of this precision. */
+export function isStored(precision: Precision, { bounds }: FieldSpec, value: unknown): value is number {
+  if (!isStorable(value, bounds)) return false;
+  // Small numbers are 0 in a column of f32.
+  return bounds.above === undefined || precision === 'f64' || Math.fround(value) > bounds.above;
+}
+
+/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for a number that a field does not take */
+export function refuseNumber({ bounds, hint }: FieldSpec, name: string, value: unknown, entity?: number): never {
+  checkNumber(value, name, bounds, entity, hint);
+  throw mustBe(`greater than ${bounds.above} as a number of f32`, value, name, 'E_RANGE', entity, hint ?? bounds.hint);
 }
 
 /**

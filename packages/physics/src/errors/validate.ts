@@ -71,6 +71,19 @@ export function isWithin(value: unknown, bounds: Bounds): value is number {
   return Number.isFinite(value) && outOfBounds(value as number, bounds) === undefined;
 }
 
+/**
+ * Returns whether a column holds the value of a number within bounds: a column of f32 may round one that is near a bound to beyond it,
+ * and what was read from a column must be accepted again.
+ */
+export function isStorable(value: unknown, bounds: Bounds): value is number {
+  if (isWithin(value, bounds)) return true;
+  return bounds.integer !== true && (isRoundingOf(value, bounds.min) || isRoundingOf(value, bounds.max));
+}
+
+function isRoundingOf(value: unknown, bound: number | undefined): boolean {
+  return bound !== undefined && value === Math.fround(bound);
+}
+
 function outOfBounds(value: number, bounds: Bounds): string | undefined {
   if (bounds.integer === true && !Number.isInteger(value)) return 'a whole number';
   if (bounds.above !== undefined && !(value > bounds.above)) return `greater than ${bounds.above}`;
