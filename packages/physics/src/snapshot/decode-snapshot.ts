@@ -1,6 +1,6 @@
 // Reads a snapshot that another world wrote: what it says of objects is told of those of this world.
-import { isShape, registerShape, type Shape } from '../collision/shapes/2d/shape.ts';
-import { SHAPE_FUNCTIONS } from '../collision/shapes/store-shape.ts';
+import { isShape, type Shape } from '../collision/shapes/2d/shape.ts';
+import { adoptShape } from '../collision/shapes/store-shape.ts';
 import { assertIdle } from '../ecs/guards.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import type { Block } from '../memory/force-memory.ts';
@@ -166,7 +166,9 @@ class ValueDecoder {
       case 'world':
         return this.#parts.get(encoded[1]);
       case 'shape':
-        return isShape(existing) && isSameShape(existing, encoded[1]) ? existing : shapeFrom(encoded[1]);
+        return isShape(existing) && isSameShape(existing, encoded[1])
+          ? existing
+          : adoptShape({ ...encoded[1], neighbours: encoded[1].neighbours });
       case 'immutable':
         return markImmutable(this.#plainData(encoded[1], place));
       default:
@@ -268,12 +270,4 @@ function valuesIn(target: object, names: readonly string[] | undefined): readonl
 
 function isSameShape(a: Shape, b: Shape): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
-}
-
-function shapeFrom(encoded: Shape): Shape {
-  const { vertices, normals, neighbours, centre } = encoded;
-  for (const part of [vertices, normals, neighbours, centre]) Object.freeze(part);
-  const shape = Object.freeze({ ...encoded, neighbours });
-  registerShape(shape, SHAPE_FUNCTIONS);
-  return markImmutable(shape);
 }

@@ -3,9 +3,10 @@ import { allocate } from '../../memory/arena.ts';
 import { writeShapePool } from '../../memory/column-table.ts';
 import { realBytes } from '../../memory/columns.ts';
 import { SHAPE_BYTES } from '../../memory/layouts.gen.ts';
+import { markImmutable } from '../../memory/resource.ts';
 import type { PhysicsWorld } from '../../world/types.ts';
 import { MAX_VERTICES } from './2d/limits.ts';
-import { type Shape, type ShapeFunctions, ShapeKind } from './2d/shape.ts';
+import { registerShape, type Shape, type ShapeFunctions, ShapeKind } from './2d/shape.ts';
 import { type ShapePool, shapePool, shapesOfBodies } from './shape-pool.ts';
 
 /** Records that a pool has at first; it moves to twice the room when they are used up. */
@@ -129,3 +130,11 @@ function completeHull(body: Record<string, unknown>, { vertices, radius, area }:
 
 /** What `spawn` does with shapes. */
 export const SHAPE_FUNCTIONS: ShapeFunctions = { store: shapeIndex, completeHull };
+
+/** Freezes an object with all that a shape has, and makes it one. */
+export function adoptShape(shape: Shape): Shape {
+  const { vertices, normals, neighbours, centre } = shape;
+  for (const part of [vertices, normals, neighbours, centre]) Object.freeze(part);
+  registerShape(shape, SHAPE_FUNCTIONS);
+  return markImmutable(Object.freeze(shape));
+}

@@ -1,7 +1,6 @@
-import { markImmutable } from '../../../memory/resource.ts';
-import { SHAPE_FUNCTIONS } from '../store-shape.ts';
+import { adoptShape } from '../store-shape.ts';
 import { massProperties } from './mass-properties.ts';
-import { lengthOf, registerShape, type Shape } from './shape.ts';
+import { lengthOf, type Shape } from './shape.ts';
 
 /** Makes a shape of checked vertices, anticlockwise, and moves its centroid to the origin. */
 export function makeShape(
@@ -12,24 +11,23 @@ export function makeShape(
 ): Shape {
   const normals = normalsOf(points);
   const { area, centreX, centreY, inertiaPerMass } = massProperties(points, normals, radius);
-  const fromCentre = (value: number, i: number) => value - (i % 2 === 0 ? centreX : centreY);
+  // Added to zero, because JSON does not keep the sign of a zero.
+  const fromCentre = (value: number, i: number) => 0 + value - (i % 2 === 0 ? centreX : centreY);
   const vertices = points.map(fromCentre);
   const distances: number[] = [];
   for (let i = 0; i < vertices.length; i += 2) distances.push(lengthOf(vertices[i], vertices[i + 1]));
-  const shape: Shape = {
+  return adoptShape({
     kind,
-    vertices: Object.freeze(vertices),
-    normals: Object.freeze(normals),
+    vertices,
+    normals,
     radius,
     area,
     inertiaPerMass,
     extent: Math.max(...distances) + radius,
     minExtent: inradius(vertices, normals) + radius,
-    neighbours: neighbours && Object.freeze(neighbours.map(fromCentre)),
-    centre: Object.freeze({ x: centreX, y: centreY }),
-  };
-  registerShape(shape, SHAPE_FUNCTIONS);
-  return markImmutable(Object.freeze(shape));
+    neighbours: neighbours?.map(fromCentre),
+    centre: { x: centreX, y: centreY },
+  });
 }
 
 /** A single point has no edge, and its normal is never read. */
