@@ -89,6 +89,26 @@ describe.each(['f32', 'f64'] as const)('in %s a hundred', (precision) => {
     }
   });
 
+  it.each(SHAPES)('%s part as well beside a wall that is static, kinematic, or moves', (_, shape) => {
+    const still = { kinematic: {}, velocity: {} };
+    for (const [wall, vy] of [
+      [{}, 0],
+      [still, 0],
+      [{ ...still, velocity: { y: 2 } }, 2],
+    ] as const) {
+      const world = rigidWorld({ precision, forces: [], integrator: softStep({ sleepTime: 0 }) });
+      spawn(world, { position: { x: 0.98 }, ...wall, collider: { shape: box(1, 6), friction: 0.6 } });
+      const ids = crowd({ world, shape, at: { position: {} } });
+      const { Velocity } = world.components;
+      for (let i = 0; i < 120; i++) {
+        step(world, DT);
+        // What it has not yet carried along has its speed against it.
+        const bound = Math.max(PUSHED, vy);
+        for (const id of ids) expect(Math.hypot(Velocity.x[id], Velocity.y[id] - vy)).toBeLessThanOrEqual(bound);
+      }
+    }
+  });
+
   it('jointed figures in one place part without flying off', () => {
     const world = rigidWorld({ precision, forces: [] });
     const collider = { shape: box(1, 0.3), density: 1 };

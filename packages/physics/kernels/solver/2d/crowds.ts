@@ -11,9 +11,10 @@
 //
 //   when all has bounced      the kinetic energy is at most that of the start and what forces gave since
 //
-// Speeds are about the centre of mass, or about the ground if the island touches it, and are scaled all alike, which conserves
-// momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that something drives, a motor, a
-// spring, a belt or a kinematic body, may gain energy and stay as they are.
+// Speeds are about the centre of mass, or about what no contact moves if the island touches that: the ground, or a lift. They are
+// scaled all alike, which conserves momentum, keeps what rests at rest, and brings nothing closer together that parts. Islands that
+// something drives, a motor, a spring, a belt, or kinematic bodies that turn or move against the ground, may gain energy and stay as
+// they are.
 import {
   ContactPoint,
   IS_DEEP,
@@ -42,9 +43,11 @@ export const UNLIKE: f64 = 10;
 // What is known of an island, in the record of its first row. Speeds and energies are about its frame.
 @unmanaged
 export class Crowd {
-  // Velocity of the frame, m/s: that of the centre of mass, or 0.
+  // Velocity of the frame, m/s: that of the centre of mass, or of what the island touches that no contact moves.
   vx: f64;
   vy: f64;
+  anchorX: f64;
+  anchorY: f64;
   mass: f64;
   // Kinetic energy, J, and the square of the largest speed: before contacts are solved, and now.
   energyBefore: f64;
@@ -60,7 +63,7 @@ export class Crowd {
   deepContacts: i32;
   // Ends of joints that close loops.
   loopEnds: i32;
-  // Whether it touches what does not move, and whether something drives it.
+  // Whether it touches what no contact moves, and whether something drives it.
   anchored: i32;
   driven: i32;
 }
@@ -149,7 +152,7 @@ function noteBody(t: RigidTable, row: i32): void {
   crowd.bodies++;
   if ((flags & LOOPED) != 0) crowd.loopEnds++;
   if ((flags & DRIVEN) != 0) crowd.driven = 1;
-  if ((flags & LOCKED) != 0) crowd.anchored = 1;
+  if ((flags & LOCKED) != 0) anchor(crowd, 0, 0);
 }
 
 function noteContact(t: RigidTable, contact: RigidContact): void {
@@ -163,9 +166,23 @@ function notePair(t: RigidTable, a: i32, b: i32): Crowd {
   const kindA = flagsOf(t, a);
   const kindB = flagsOf(t, b);
   const crowd = crowdOf(t, islandOf(t, (kindA & DYNAMIC) != 0 ? a : b));
-  if ((kindA & kindB & DYNAMIC) == 0) crowd.anchored = 1;
-  if (((kindA | kindB) & KINEMATIC) != 0) crowd.driven = 1;
+  if ((kindA & kindB & DYNAMIC) == 0) anchorTo(t, crowd, (kindA & DYNAMIC) != 0 ? b : a);
   return crowd;
+}
+
+function anchorTo(t: RigidTable, crowd: Crowd, row: i32): void {
+  if ((flagsOf(t, row) & KINEMATIC) == 0) return anchor(crowd, 0, 0);
+  const state = stateOf(t, row);
+  if (state.w != 0) crowd.driven = 1;
+  anchor(crowd, <f64>state.vx, <f64>state.vy);
+}
+
+// Two anchors of unlike velocities drive what is between them.
+function anchor(crowd: Crowd, vx: f64, vy: f64): void {
+  if (crowd.anchored != 0 && (vx != crowd.anchorX || vy != crowd.anchorY)) crowd.driven = 1;
+  crowd.anchored = 1;
+  crowd.anchorX = vx;
+  crowd.anchorY = vy;
 }
 
 // Before contacts are solved: the frame, the energy and the largest speed of each crowd.
@@ -189,8 +206,8 @@ function findFrames(t: RigidTable): void {
   for (let i = 0; i < t.crowdedCount; i++) {
     const crowd = crowdOf(t, word(t.crowded, i));
     crowd.mass = 0;
-    crowd.vx = 0;
-    crowd.vy = 0;
+    crowd.vx = crowd.anchorX;
+    crowd.vy = crowd.anchorY;
   }
   for (let i = 0; i < t.crowdedCount; i++) {
     const row = word(t.crowded, i);
