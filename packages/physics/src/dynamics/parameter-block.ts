@@ -3,7 +3,7 @@
 import { allocate } from '../memory/arena.ts';
 import { namedResource } from '../memory/resource.ts';
 import { cachedWithPlan } from '../world/execution-plan.ts';
-import type { Parameter, ParameterSource, PhysicsWorld } from '../world/types.ts';
+import type { Parameter, ParameterSource, PhysicsWorld, Plan } from '../world/types.ts';
 
 /** An owner of parameters: a law at its index in the list of forces, or an integrator. */
 export interface ParameterOwner {
@@ -54,6 +54,7 @@ function reserveDoubles(world: PhysicsWorld, doubles: number): number {
   }
   const at = region.at + 8 * usage.doubles;
   usage.doubles += doubles;
+  (world.internal.plan as Plan).made++;
   return at;
 }
 

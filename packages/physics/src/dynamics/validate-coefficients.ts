@@ -67,8 +67,9 @@ const GROUPS = 8;
 
 /** What is checked in a world, without the components that nothing has: most worlds use few of them. */
 interface Watch {
-  /** The version of membership for which the lists were made. */
+  /** The version of membership for which the lists were made, and that of the world's past: a restore takes the former back. */
   membership: number;
+  restored: number;
   /** Engines, where a bad value would burn fuel within the step. */
   readonly engine: Coefficients[];
   /** Columns by which bodies are coupled: a bad value would reach other bodies within the step. */
@@ -77,7 +78,7 @@ interface Watch {
   readonly all: Coefficients[];
 }
 
-const watchOf = cachedWithPlan((): Watch => ({ membership: -1, engine: [], coupling: [], all: [] }));
+const watchOf = cachedWithPlan((): Watch => ({ membership: -1, restored: -1, engine: [], coupling: [], all: [] }));
 
 /** The columns by which the forces, the integrator or contacts couple bodies. */
 const coupledBy = cachedWithPlan(({ forces, integrator, phases }): readonly Coefficients[] => {
@@ -114,8 +115,10 @@ export function validateCoefficients(world: PhysicsWorld): void {
 
 function currentWatch(world: PhysicsWorld): Watch {
   const watch = watchOf(world);
-  if (watch.membership === world.versions.membership) return watch;
-  watch.membership = world.versions.membership;
+  const { membership, restored } = world.versions;
+  if (watch.membership === membership && watch.restored === restored) return watch;
+  watch.membership = membership;
+  watch.restored = restored;
   const coupled = coupledBy(world);
   const { engine, coupling, all } = watch;
   engine.length = coupling.length = all.length = 0;

@@ -10,8 +10,21 @@ export interface WorldLoop {
   readonly run: Loop;
 }
 
-/** Compiles the loop identified by `key`, unless it is cached, and instantiates it over the memory of the world. */
+/** The loops of each memory: a world that makes its plan anew, as after a restore, finds them. */
+const loops = new WeakMap<WebAssembly.Memory, WeakMap<CompiledLoop, Loop>>();
+
+function loopOf(world: PhysicsWorld, compiled: CompiledLoop): Loop {
+  const { memory } = world;
+  const known = loops.get(memory) ?? new WeakMap<CompiledLoop, Loop>();
+  loops.set(memory, known);
+  // Nothing but memory changes as a loop runs.
+  const run = known.get(compiled) ?? instantiateLoop(compiled, memory, () => mathImports(world));
+  known.set(compiled, run);
+  return run;
+}
+
+/** The loop identified by `key` over the memory of the world: compiled and instantiated unless it is cached. */
 export function makeWorldLoop(world: PhysicsWorld, key: string, make: () => LoopSource): WorldLoop {
   const compiled = compileLoop(key, make);
-  return { compiled, run: instantiateLoop(compiled, world.memory, () => mathImports(world)) };
+  return { compiled, run: loopOf(world, compiled) };
 }

@@ -4,7 +4,7 @@ import { PhysicsError } from '../errors/physics-error.ts';
 import { addIdleBlocks, type Block } from '../memory/force-memory.ts';
 import { isImmutable, ResourceKey } from '../memory/resource.ts';
 import { PHASES } from '../world/phases.ts';
-import type { PhysicsWorld, System } from '../world/types.ts';
+import type { PhysicsWorld, Plan, System } from '../world/types.ts';
 import type { WorldLists } from './encoded-values.ts';
 import { noEntities, restoreEntities, type SavedEntities, saveEntities } from './entities.ts';
 import { KEPT, keptList, keptObjects } from './keep-state.ts';
@@ -80,6 +80,9 @@ export class Content implements Snapshot {
   readonly #forces: unknown[] = [];
   readonly #phases = PHASES.map((): System[] => []);
   #integrator: PhysicsWorld['integrator'];
+  #plan: Plan | undefined;
+  /** How much of the plan the memory contains. */
+  #made = 0;
 
   constructor(world: PhysicsWorld) {
     this.#world = world;
@@ -150,6 +153,8 @@ export class Content implements Snapshot {
     this.#takeLists();
     this.#idle = [];
     copyScalars(this.#scalars, world, world.internal);
+    this.#plan = world.internal.plan;
+    this.#made = this.#plan?.made ?? 0;
     this.isWhole = true;
   }
 
@@ -165,6 +170,7 @@ export class Content implements Snapshot {
     for (const copy of copies) this.#plain.addCopy(copy);
     this.#plain.end();
     this.#takeLists();
+    this.#plan = undefined;
     this.isWhole = true;
   }
 
@@ -206,9 +212,17 @@ export class Content implements Snapshot {
     const { time, tick, ...others } = this.#scalars;
     Object.assign(world, { time, tick });
     Object.assign(internal, others);
-    // Compiled loops contain addresses of objects created since.
-    internal.plan = undefined;
+    this.#putPlanBack();
     return thrown;
+  }
+
+  /** Compiled loops contain addresses, and values in memory: the plan stays only if all that it has was there already. */
+  #putPlanBack(): void {
+    const { internal, versions } = this.world;
+    const { plan, reviewed } = internal;
+    if (plan !== this.#plan || plan?.made !== this.#made) internal.plan = undefined;
+    // Other bodies may come, by which the version gets the number that was reviewed.
+    if (reviewed.membership !== versions.membership) reviewed.membership = -1;
   }
 
   /** The lists hold forces and systems by reference; the snapshot does not save their own state. */

@@ -100,8 +100,12 @@ export function cachedWithPlan<T>(make: (world: PhysicsWorld) => T): (world: Phy
     // A step keeps its plan, whatever user code does to the lists of the world meanwhile.
     const isRunning = world.state === 'preparing' || world.state === 'stepping';
     const running = isRunning ? world.internal.plan : undefined;
-    const { kept } = running ?? currentPlan(world);
-    if (!kept.has(key)) kept.set(key, make(world));
+    const plan = running ?? currentPlan(world);
+    const { kept } = plan;
+    if (!kept.has(key)) {
+      kept.set(key, make(world));
+      plan.made++;
+    }
     return kept.get(key) as T;
   };
 }
@@ -164,6 +168,7 @@ function makePlan(world: PhysicsWorld): Plan {
     isOneLoop,
     isStartCurrent: fusion.begin,
     kept: new Map(),
+    made: 0,
   };
 }
 

@@ -67,8 +67,7 @@ export interface ForceParameter {
 }
 
 /**
- * A force acts on bodies and has no other effect. It is a law, which is fused into the step, or a function that adds to
- * the force columns before the laws do.
+ * A force acts on bodies and has no other effect. It is a law, which is fused into the step, or a function that adds to the columns before.
  */
 export interface Force {
   readonly name: string;
@@ -245,8 +244,9 @@ export interface Plan {
   readonly isOneLoop: boolean;
   /** No system runs between the one that saves the state at the start of the step and the integrator. */
   readonly isStartCurrent: boolean;
-  /** Values that other parts of the engine cache with the plan. */
+  /** Values that other parts of the engine cache with the plan, and the number of them and of their blocks of memory. */
   readonly kept: Map<object, unknown>;
+  made: number;
 }
 
 /** Time spent in each phase since the profile was started or reset, in the clock's unit. */
