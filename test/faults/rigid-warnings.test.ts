@@ -107,6 +107,20 @@ describe('a joint', () => {
     ]);
   });
 
+  it('whose limits are crossed', () => {
+    const { world, run, crate, messages } = listen();
+    const { Joint } = world.components;
+    const limits = { lower: -0.5, upper: 0.5 };
+    const hinge = createJoint(world, revolute({ b: crate(), anchor: {}, limits }));
+    run(1);
+    Joint.lower[hinge] = 0.5;
+    Joint.upper[hinge] = -0.5;
+    run(70);
+    expect(messages()).toEqual([
+      `Joint.lower of joint ${hinge} is 0.5, above Joint.upper, which is -0.5: no place is within such limits.`,
+    ]);
+  });
+
   it('may have its motor and its limits turned off, and a motor joint needs neither', () => {
     const { world, run, crate, messages } = listen();
     const { Joint } = world.components;

@@ -84,6 +84,15 @@ export function warnAboutStrayFields(world: PhysicsWorld): void {
   warnOnce(world, { message, hint }, 'no limits');
 }
 
+/** Warns about limits that were written to the columns and leave no place between them: `createJoint` refuses them. */
+export function warnAboutCrossedLimits(world: PhysicsWorld): void {
+  const { b, hasLimits, lower, upper } = world.components.Joint;
+  const joint = firstRow(world, (id) => lower[id] > upper[id] && hasLimits[id] === 1 && b[id] > 0);
+  if (joint === 0) return;
+  const message = `Joint.lower of joint ${joint} is ${lower[joint]}, above Joint.upper, which is ${upper[joint]}: no place is within such limits.`;
+  warnOnce(world, { message, hint: 'Swap the two, or write 0 to Joint.hasLimits.' }, 'crossed limits');
+}
+
 /** Warns if a new joint begins beyond its limits: the solver pulls it there in the next steps. */
 function warnAboutLimits(world: PhysicsWorld, joint: Values): void {
   const kind = JOINT_KINDS[joint.kind];

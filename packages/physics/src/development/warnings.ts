@@ -9,7 +9,7 @@ import { firstRow } from './first-row.ts';
 import { warnAboutFluids } from './fluid-warnings.ts';
 import { constantsOf } from './force-parameters.ts';
 import { warnAboutForces } from './force-warnings.ts';
-import { warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
+import { warnAboutCrossedLimits, warnAboutJoints, warnAboutStrayFields } from './joint-warnings.ts';
 import { warnAboutPotentials } from './potential-warnings.ts';
 import { warnAboutSchemes } from './scheme-warnings.ts';
 import { warnAboutSprings } from './spring-warnings.ts';
@@ -112,7 +112,9 @@ const STEPS_BETWEEN = 32;
 /** Warns about what is written to columns between steps and does not do what it is meant to. */
 export function warnAboutColumns(world: PhysicsWorld): void {
   warnAboutMotionByHand(world);
-  if (world.internal.counts.Joint > 0 && world.tick % STEPS_BETWEEN === 0) warnAboutStrayFields(world);
+  if (world.internal.counts.Joint === 0 || world.tick % STEPS_BETWEEN !== 0) return;
+  warnAboutStrayFields(world);
+  warnAboutCrossedLimits(world);
 }
 
 function warnAboutWalls(world: PhysicsWorld, plan: Plan): void {
