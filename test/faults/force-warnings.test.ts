@@ -275,6 +275,28 @@ it('names planets that nothing attracts', () => {
   expect(warned([mutualGravity({ G: 1 })])).toBe('');
 });
 
+it('names planets of wisdomHolman that were not created outwards', () => {
+  const warned = (distances: readonly number[], isTest = false) => {
+    const integrator = wisdomHolman({ G: 1 });
+    const { world, messages } = warnedWorld({ forces: [mutualGravity({ G: 1 })], integrator });
+    for (const [i, r] of distances.entries()) {
+      const last = i === distances.length - 1;
+      const round = { position: { x: r }, velocity: { y: 1 / Math.sqrt(r) }, mass: 1e-4 };
+      spawn(world, { ...round, ...(last && isTest && { testParticle: {} }) });
+    }
+    // The star may be created at any time.
+    spawn(world, { position: {}, velocity: {}, mass: 1 });
+    for (let i = 0; i < 2; i++) step(world, 0.01);
+    return messages();
+  };
+  expect(warned([1, 1.9, 5.2])).toBe('');
+  expect(warned([1, 5.2, 1.9])).toMatch(
+    /^wisdomHolman takes planets in the order in which they were created, and body 3 moves inside of body 2/,
+  );
+  expect(warned([1, 5.2, 4.5])).toBe('');
+  expect(warned([1, 5.2, 1.9], true)).toBe('');
+});
+
 it('names sources that act by two forces', () => {
   const charges = (mass?: number) => {
     const { world, messages } = warnedWorld({ forces: [fixedCharges(1), mutualCoulomb({ k: 1 })] });

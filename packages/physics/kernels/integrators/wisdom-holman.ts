@@ -3,8 +3,8 @@
 import { columns, get, put } from '../memory/columns';
 import { advanceKepler, Orbit } from './kepler';
 
-// A body: Jacobi position and velocity, mass, total mass up to and including it, and G times the mass of its Kepler
-// orbit.
+// A body: Jacobi position and velocity, mass, the fraction of the total mass up to and including it that is its own (0
+// for a test particle), and G times the mass of its Kepler orbit.
 @unmanaged
 export class Planet {
   x: f64;
@@ -14,7 +14,7 @@ export class Planet {
   vy: f64;
   vz: f64;
   mass: f64;
-  enclosed: f64;
+  fraction: f64;
   mu: f64;
   row: i32;
   unused: i32;
@@ -27,25 +27,28 @@ const PLANET_BYTES: usize = offsetof<Planet>();
   return changetype<Planet>(list + <usize>index * PLANET_BYTES);
 }
 
-// Lists bodies with mass: `central` first, then the others by ascending id. Returns their number.
-export function gatherPlanets(list: usize, ids: usize, count: i32, central: i32, G: f64): i32 {
+// Lists bodies with mass: `central` first, then the others by ascending id. Those with the test bit exert no force, so
+// that their masses do not count in the centres that others move about. Returns their number.
+export function gatherPlanets(list: usize, ids: usize, count: i32, central: i32, testBit: u32, G: f64): i32 {
   const c = columns();
   let n = 1;
   let enclosed = <f64>get(c.mass, central);
   const sun = enclosed;
   planet(list, 0).row = central;
   planet(list, 0).mass = sun;
-  planet(list, 0).enclosed = sun;
+  planet(list, 0).fraction = 1;
   for (let i = 0; i < count; i++) {
     const row = load<i32>(ids + ((<usize>i) << 2));
     const mass = <f64>get(c.mass, row);
     if (row == central || mass <= 0) continue;
+    const isTest = (load<u32>(c.members + ((<usize>row) << 2)) & testBit) != 0;
+    const source: f64 = isTest ? 0 : mass;
     const p = planet(list, n);
     p.row = row;
     p.mass = mass;
-    p.mu = (G * sun * (enclosed + mass)) / enclosed;
-    enclosed += mass;
-    p.enclosed = enclosed;
+    p.mu = (G * sun * (enclosed + source)) / enclosed;
+    enclosed += source;
+    p.fraction = source / enclosed;
     n++;
   }
   return n;
@@ -69,7 +72,9 @@ export function toJacobi(list: usize, n: i32): void {
     p.vx = <f64>get(c.velocityX, p.row) - vx;
     p.vy = <f64>get(c.velocityY, p.row) - vy;
     p.vz = <f64>get(c.velocityZ, p.row) - vz;
-    const fraction = p.mass / p.enclosed;
+    // Not even a test particle that is not finite reaches the others.
+    if (p.fraction == 0) continue;
+    const fraction = p.fraction;
     x += fraction * p.x;
     y += fraction * p.y;
     z += fraction * p.z;
@@ -98,13 +103,15 @@ export function fromJacobi(list: usize, n: i32): void {
   let vz = sun.vz;
   for (let i = n - 1; i > 0; i--) {
     const p = planet(list, i);
-    const fraction = p.mass / p.enclosed;
-    x -= fraction * p.x;
-    y -= fraction * p.y;
-    z -= fraction * p.z;
-    vx -= fraction * p.vx;
-    vy -= fraction * p.vy;
-    vz -= fraction * p.vz;
+    const fraction = p.fraction;
+    if (fraction != 0) {
+      x -= fraction * p.x;
+      y -= fraction * p.y;
+      z -= fraction * p.z;
+      vx -= fraction * p.vx;
+      vy -= fraction * p.vy;
+      vz -= fraction * p.vz;
+    }
     write(p.row, x + p.x, y + p.y, z + p.z, vx + p.vx, vy + p.vy, vz + p.vz);
   }
   write(sun.row, x, y, z, vx, vy, vz);
@@ -154,7 +161,8 @@ export function kickJacobi(list: usize, n: i32, fx: usize, fy: usize, fz: usize,
       p.vy += dt * (y + k * p.y);
       p.vz += dt * (z + k * p.z);
     }
-    const fraction = p.mass / p.enclosed;
+    if (p.fraction == 0) continue;
+    const fraction = p.fraction;
     ax += fraction * x;
     ay += fraction * y;
     az += fraction * z;

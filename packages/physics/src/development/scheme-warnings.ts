@@ -1,4 +1,5 @@
 // Warnings about forces that do not go with the integrator of the world.
+import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, Integrator, PhysicsWorld } from '../world/types.ts';
 import { firstRow } from './first-row.ts';
@@ -9,6 +10,7 @@ export function warnAboutSchemes(world: PhysicsWorld, dt: number): void {
   warnAboutVelocities(world);
   warnAboutGyration(world, dt);
   warnAboutMissingGravity(world);
+  warnAboutOrderOfPlanets(world);
 }
 
 /** Schemes that split a step into drifts and kicks, which a force that depends on the velocity makes first order. */
@@ -149,4 +151,45 @@ function warnAboutMissingGravity(world: PhysicsWorld): void {
       'wisdomHolman moves nothing on orbits by itself: without mutualGravity in `forces` bodies fly straight on.',
     hint: 'Add mutualGravity({ G }) with the same G to `forces`.',
   });
+}
+
+/** Planets whose orbits differ by less have about the same error in either order. */
+const NEAR_ORBITS = 0.5;
+
+/** The coordinates of Jacobi measure each planet from the centre of those before it. */
+function warnAboutOrderOfPlanets(world: PhysicsWorld): void {
+  const { integrator, lastId } = world;
+  if (integrator.name !== 'Wisdom-Holman') return;
+  const { value } = world.components.Mass;
+  let star = 0;
+  for (let id = 1; id <= lastId; id++) if (isSource(world, id) && value[id] > value[star]) star = id;
+  let [widest, outer] = [0, 0];
+  for (let id = 1; id <= lastId; id++) {
+    if (id === star || !isSource(world, id)) continue;
+    const axis = semiMajorAxis(world, star, id);
+    if (axis < NEAR_ORBITS * widest) {
+      const warning = {
+        message: `wisdomHolman takes planets in the order in which they were created, and body ${id} moves inside of body ${outer}, which comes before it: the error is up to a hundred times as large.`,
+        hint: 'Create planets by increasing distance from the star. Moons need another integrator, such as gaussRadau().',
+      };
+      warnOnce(world, warning, 'order of planets');
+      return;
+    }
+    if (axis > widest) [widest, outer] = [axis, id];
+  }
+}
+
+function isSource({ components, internal }: PhysicsWorld, id: number): boolean {
+  const bits = bitOf('Position') | bitOf('Mass');
+  return (internal.members[id] & (bits | bitOf('TestParticle'))) === bits && components.Mass.value[id] > 0;
+}
+
+/** Of the orbit about the star, m; infinite for a body that leaves it. */
+function semiMajorAxis({ components, integrator }: PhysicsWorld, star: number, id: number): number {
+  const { Mass, Position: p, Velocity: v } = components;
+  const mu = (integrator.parameters?.G?.value ?? 0) * (Mass.value[star] + Mass.value[id]);
+  const r = lengthOf([p.x[id] - p.x[star], p.y[id] - p.y[star], p.z[id] - p.z[star]]);
+  const speed = lengthOf([v.x[id] - v.x[star], v.y[id] - v.y[star], v.z[id] - v.z[star]]);
+  const inverse = 2 / r - (speed * speed) / mu;
+  return inverse > 0 ? 1 / inverse : Number.POSITIVE_INFINITY;
 }

@@ -10,10 +10,11 @@
 // for forces that depend only on position: energy errors stay bounded for ever. Not for close encounters between
 // planets. One force evaluation.
 //
-// Jacobi coordinates measure each body from the centre of mass of the bodies before it: create the star first (or
-// name it), then the bodies by increasing distance; moons are not supported. Bodies without mass do not move: give a
-// test particle a small mass. A body whose orbit passes through the centre of the star stays, and an E_STEP is
-// reported.
+// Jacobi coordinates measure each body from the centre of mass of the star and of the bodies before it: create the bodies
+// by increasing distance; moons are not supported. The star comes first wherever it was created. The order is that of the
+// entities and is not changed in a run, where that would break the map. Test particles are measured in the same way, and
+// count in no centre. Bodies without mass do not move, so that test particles need one, of any size. A body whose orbit
+// passes through the centre of the star stays, and an E_STEP is reported.
 //
 // Wisdom and Holman, Astron. J. 102, 1528 (1991); Rein and Tamayo, MNRAS 452, 376 (2015).
 
@@ -31,13 +32,18 @@ import { reportUnderflow } from './support/sub-steps.ts';
 export interface WisdomHolmanOptions {
   /** Gravitational constant, as in the world's gravity; default 6.6743e-11 m³/(kg s²). */
   readonly G?: number;
-  /** The dominant body; default the body with the largest mass. */
+  /** The dominant body; default the one with the largest mass that is no test particle. */
   readonly central?: number;
 }
 
 const planetsOf = namedResource('planets', emptyEntityList);
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Planets on Kepler orbits about a star, which `mutualGravity` of the same G disturbs. Create the planets by increasing distance
+ * from the star: each moves about the common centre of those before it, and another order makes the error up to a hundred times as
+ * large. Test particles move about the centre of those before them, and are in no centre themselves. Moons are not supported.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
   checkKeys(options, 'wisdomHolman', ['G', 'central']);
   const G = checkNumber(options.G ?? GRAVITATIONAL_CONSTANT, 'G', { above: 0, max: 1e30 });
@@ -54,7 +60,7 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
     prepare: list,
     advance(world, ranges, dt, evaluateForces) {
       const { at } = planetsOf(world);
-      const star = isMassive(world, central) ? central : heaviest(world);
+      const star = centralBody(world, central);
       if (star === 0) return;
       const kernels = integratorKernels(world);
       const { force } = world.scratch.at;
@@ -71,6 +77,20 @@ export function wisdomHolman(options: WisdomHolmanOptions = {}): Integrator {
   };
 }
 
+/** The named body if it can be the star, else the heaviest source, among test particles alone the heaviest; 0 if there is none. */
+function centralBody(world: PhysicsWorld, named: number): number {
+  if (isMassive(world, named) && !isTest(world, named)) return named;
+  const { value } = world.components.Mass;
+  const { ids, count } = world.internal.bodyList;
+  let [source, any] = [0, 0];
+  for (let i = 0; i < count; i++) {
+    const id = ids[i];
+    if (value[id] > value[any]) any = id;
+    if (value[id] > value[source] && !isTest(world, id)) source = id;
+  }
+  return source > 0 ? source : any;
+}
+
 function isMassive({ components, internal, rows }: PhysicsWorld, entity: number): boolean {
   const required = bitOf('Position') | bitOf('Mass');
   return (
@@ -81,12 +101,8 @@ function isMassive({ components, internal, rows }: PhysicsWorld, entity: number)
   );
 }
 
-function heaviest(world: PhysicsWorld): number {
-  const { value } = world.components.Mass;
-  const { ids, count } = world.internal.bodyList;
-  let heaviestBody = 0;
-  for (let i = 0; i < count; i++) if (value[ids[i]] > value[heaviestBody]) heaviestBody = ids[i];
-  return heaviestBody;
+function isTest({ internal }: PhysicsWorld, entity: number): boolean {
+  return (internal.members[entity] & bitOf('TestParticle')) !== 0;
 }
 
 /** Lists the bodies with mass. @throws PhysicsError E_CAPACITY */
@@ -97,5 +113,5 @@ function list(world: PhysicsWorld): void {
 /** Gathers the bodies, the star first; returns their number. */
 function gather(world: PhysicsWorld, star: number, G: number): number {
   const { at, ids, count } = planetsOf(world);
-  return integratorKernels(world).gatherPlanets(at, ids, count, star, G);
+  return integratorKernels(world).gatherPlanets(at, ids, count, star, bitOf('TestParticle'), G);
 }
