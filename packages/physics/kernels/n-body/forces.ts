@@ -26,6 +26,14 @@ const TARGET_TOLERANCE: f64 = 0.08;
 // Weight of the latest measurement in the running estimate; a single measurement is off by a tenth.
 const LATEST_WEIGHT: f64 = 0.3;
 
+// Fractions of the requested error: above the first an evaluation is repeated with a smaller tolerance, and below the
+// second with a larger one, at most so many times.
+const WITHIN: f64 = 0.85;
+const FAR_WITHIN: f64 = 0.3;
+const LOOSER_ATTEMPTS: i32 = 3;
+
+const MAX_TOLERANCE: f64 = 100;
+
 // Mean ratio of tolerance to relative error for Plummer spheres, uniform boxes and discs.
 const CALIBRATION: f64 = 6;
 
@@ -84,8 +92,39 @@ function adjustTolerance(w: NBody, requestedError: f64): void {
   const ratio = (TARGET_FRACTION * requestedError) / max<f64>(sqrt<f64>(w.meanSquare), 1e-300);
   if (abs<f64>(ratio - 1) < TARGET_TOLERANCE) return;
   const change = min<f64>(1.6, max<f64>(0.07, ratio));
-  w.tolerance = min<f64>(w.tolerance * change * sqrt<f64>(change), 100);
+  w.tolerance = min<f64>(w.tolerance * change * sqrt<f64>(change), MAX_TOLERANCE);
   w.meanSquare *= change * change;
+}
+
+function evaluateAgain(w: NBody, dimensions: i32, law: i32, signed: bool): void {
+  treeForces(w, dimensions, law, signed);
+  w.evaluations--;
+}
+
+// Raises a tolerance that is far too small, `passed`, as far as the measured error allows it. The estimate is of no use
+// here: where the bodies are clumped, the error depends on the tolerance in another way than that of adjustTolerance.
+function loosen(w: NBody, dimensions: i32, law: i32, signed: bool, relativeError: f64, passed: f64): void {
+  const choice = w.evaluations / SAMPLE_INTERVAL;
+  let failed: f64 = Infinity;
+  let evaluated = passed;
+  for (let attempt = 0; attempt < LOOSER_ATTEMPTS && w.error < FAR_WITHIN * relativeError; attempt++) {
+    const change = min<f64>(4, (TARGET_FRACTION * relativeError) / max<f64>(w.error, 1e-300));
+    const looser = min<f64>(passed * change * sqrt<f64>(change), MAX_TOLERANCE);
+    const next = looser < failed ? looser : sqrt<f64>(passed * failed);
+    if (next < 1.25 * passed) break;
+    w.tolerance = evaluated = next;
+    evaluateAgain(w, dimensions, law, signed);
+    const error = sampleError(w, 2 * SAMPLE_COUNT, choice, law == 2);
+    if (error <= WITHIN * relativeError) {
+      passed = next;
+      w.error = error;
+    } else {
+      failed = next;
+    }
+  }
+  w.tolerance = passed;
+  if (evaluated != passed) evaluateAgain(w, dimensions, law, signed);
+  w.meanSquare = w.error * w.error;
 }
 
 function evaluateByTree(w: NBody, dimensions: i32, law: i32, signed: bool, relativeError: f64): void {
@@ -96,12 +135,13 @@ function evaluateByTree(w: NBody, dimensions: i32, law: i32, signed: bool, relat
   if (!measuresError) return;
   const samples = w.meanSquare > 0 ? SAMPLE_COUNT : 2 * SAMPLE_COUNT;
   for (let attempt = 0; attempt < 8; attempt++) {
+    const used = w.tolerance;
     w.error = sampleError(w, samples, w.evaluations / SAMPLE_INTERVAL, law == 2);
     updateErrorEstimate(w, w.error * w.error, relativeError);
     adjustTolerance(w, relativeError);
-    if (w.error <= 0.85 * relativeError) return;
-    treeForces(w, dimensions, law, signed);
-    w.evaluations--;
+    if (w.error < FAR_WITHIN * relativeError) loosen(w, dimensions, law, signed, relativeError, used);
+    if (w.error <= WITHIN * relativeError) return;
+    evaluateAgain(w, dimensions, law, signed);
   }
 }
 

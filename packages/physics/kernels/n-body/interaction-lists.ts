@@ -57,12 +57,15 @@ export function boundGroup(w: NBody, first: i32, last: i32): void {
 }
 
 // Returns the magnitude of the field at the centre of the current group, from a coarse traversal. The contribution of a
-// cell is limited to its value at the box's corners, so that a close pair near the centre does not dominate.
+// cell is limited to its value at the box's corners, so that a close pair near the centre does not dominate, and to that
+// at the softening length: without it a clump much smaller than that length has thousands of times its field, the cells
+// that act on it are hardly opened, and the tolerance that makes up for it opens those of all other groups.
 export function fieldScale(w: NBody, inverseSquare: bool): real {
   let ax: f64 = 0;
   let ay: f64 = 0;
   let az: f64 = 0;
   const corner2 = <f64>(halfX * halfX + halfY * halfY + halfZ * halfZ);
+  const nearest2 = max<f64>(corner2, w.softening2);
   for (let node = 0; node < w.nodeCount; ) {
     const p = w.nodes + <usize>node * NODE_BYTES;
     const link = w.links + <usize>node * LINK_BYTES;
@@ -77,7 +80,7 @@ export function fieldScale(w: NBody, inverseSquare: bool): real {
       // A body alone, or several in one place, have no field there. The centre of their cell may be rounded away from them.
       node = next;
     } else if (isLeaf || (d2 > near2 && !containsGroup(link))) {
-      const u = max<f64>(d2 + near2, corner2);
+      const u = max<f64>(d2 + near2, nearest2);
       const k = <f64>load<real>(p + 3 * REAL) / (inverseSquare ? u * sqrt<f64>(u) : u);
       ax += k * dx;
       ay += k * dy;
