@@ -96,6 +96,7 @@ export function warnAboutWorld(world: PhysicsWorld, plan: Plan, dt: number, igno
   warnAboutPotentials(world);
   warnAboutSprings(world, dt);
   warnAboutShapes(world, plan);
+  warnAboutMergers(world, plan);
   warnAboutMissingPositions(world);
   warnAboutSurfaces(world, plan);
   warnAboutRigidSurfaces(world, plan);
@@ -230,6 +231,20 @@ function warnAboutShapes(world: PhysicsWorld, { systems }: Plan): void {
     hint: 'Create the world with `preset: rigidBodies`.',
   };
   warnOnce(world, warning, 'shapes');
+}
+
+/** Among rigid bodies only discs merge. */
+function warnAboutMergers(world: PhysicsWorld, { systems }: Plan): void {
+  if (world.integrator.solvesWalls !== true) return;
+  if (!systems.collide.some((system) => 'systemName' in system && system.systemName === 'merge on contact')) return;
+  const { Collider, Mass } = world.components;
+  const shaped = firstRow(world, (id) => Mass.value[id] > 0 && Collider.shape[id] > 0 && Collider.sensor[id] === 0);
+  if (shaped === 0) return;
+  const warning = {
+    message: `body ${shaped} never merges, because mergeOnContact merges discs only, and it has another shape.`,
+    hint: 'Give it a collider without `shape` if it shall merge.',
+  };
+  warnOnce(world, warning, 'shapes that merge');
 }
 
 /** Who says how a body bounces and rubs means it to touch something. */

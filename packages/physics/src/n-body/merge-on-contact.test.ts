@@ -1,10 +1,14 @@
 import { describe, expect, test } from 'vitest';
 import { cloud } from '../../../../test/support/point-clouds.ts';
+import type { BodyInput } from '../bodies/body-input.ts';
 import { spawn } from '../bodies/spawn.ts';
 import { spawnMany } from '../bodies/spawn-many.ts';
+import { box } from '../collision/shapes/2d/box.ts';
 import { angularMomentum, centreOfMass, energy, momentum, totalMass } from '../diagnostics/energy.ts';
+import { isBody } from '../ecs/entity-ref.ts';
 import { bodies } from '../ecs/ranges.ts';
 import { particleContacts } from '../presets/particle-contacts.ts';
+import { rigidBodies } from '../presets/rigid-bodies.ts';
 import { createPhysicsWorld, type PhysicsWorldOptions } from '../world/create-world.ts';
 import { step } from '../world/step.ts';
 import { mergeOnContact, mergers } from './merge-on-contact.ts';
@@ -131,5 +135,30 @@ describe('touching bodies merge', () => {
     const centre = centreOfMass(world);
     for (const axis of ['x', 'y', 'z'] as const) expect(centre[axis]).toBeCloseTo(before.centre[axis], 9);
     expect(world.faults.faults).toEqual([]);
+  });
+
+  test('in a world of rigid bodies discs merge, and neither boxes, sensors nor kinematic bodies', () => {
+    const warnings: string[] = [];
+    const onWarning = ({ message }: { readonly message: string }) => warnings.push(message);
+    const world = mergingWorld({ preset: rigidBodies, onWarning });
+    const pair = (y: number, a: Partial<BodyInput>, b: Partial<BodyInput> = {}) =>
+      [a, b].map((input, i) =>
+        spawn(world, { position: { x: 0.5 * i, y }, velocity: {}, mass: 2 - i, collider: { radius: 0.3 }, ...input }),
+      );
+    const drops = pair(0, {});
+    const others = [
+      // Their circles overlap, and they do not.
+      pair(5, { collider: { shape: box(0.4, 2) } }, { collider: { shape: box(0.4, 2) } }),
+      pair(10, { collider: { shape: box(0.5, 0.5) } }),
+      pair(15, { collider: { radius: 0.3, sensor: true } }),
+      pair(20, { kinematic: {} }),
+    ].flat();
+    for (let i = 0; i < 3; i++) step(world, 1e-3);
+    expect(mergers(world).total).toBe(1);
+    expect(drops.map((id) => isBody(world, id))).toEqual([true, false]);
+    for (const id of others) expect(isBody(world, id), `${id}`).toBe(true);
+    expect(warnings.filter((message) => message.includes('mergeOnContact'))).toEqual([
+      `body ${others[0]} never merges, because mergeOnContact merges discs only, and it has another shape.`,
+    ]);
   });
 });

@@ -8,6 +8,9 @@
 // takes the angular momentum of both about their common centre, and its inertia becomes proportional to m R²; otherwise that
 // is lost. If it has a Charge it takes that of the other, too. Colour and other components of the absorbed body are lost.
 //
+// Among rigid bodies discs merge, as long as they are neither sensors nor kinematic: what is round has one shape after a
+// merger, and of other shapes the broad phase knows the circle around them alone.
+//
 // Valid for impact speeds below about the escape speed (Leinhardt & Stewart, ApJ 745, 79, 2012). Overlaps are found at
 // the end of the step; after `collideBodies`, which parts bodies, its contacts of the step merge. Cost: the broad phase,
 // and 1 µs per merger.
@@ -21,6 +24,7 @@ import { ContactTableWord as Word } from '../memory/layouts.gen.ts';
 import { namedResource } from '../memory/resource.ts';
 import { activateContacts, contactTable } from '../particle-contacts/contact-table.ts';
 import { collisionKernels } from '../particle-contacts/kernels.ts';
+import { isSoftStep } from '../world/is-soft-step.ts';
 import { nameSystem } from '../world/name-system.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -50,12 +54,13 @@ export function mergers(world: PhysicsWorld): Mergers {
   return stateOf(world);
 }
 
-/** System of the `collide` phase, before or after `collideBodies`: merges bodies with Mass whose colliders touch. */
+/** System of the `collide` phase, before or after `collideBodies`: merges bodies with Mass whose colliders touch, of rigid bodies discs alone. */
 export const mergeOnContact = /* @__PURE__ */ nameSystem('merge on contact', (world: PhysicsWorld) => {
   const state = stateOf(world);
   const { into, absorbedIds } = state;
   const table = contactTable(world);
   const { isResolved, words } = table;
+  const isRigid = isSoftStep(world.integrator);
   if (!isResolved) findPairs(world);
   table.isResolved = false;
   const count = words[Word.count];
@@ -64,6 +69,7 @@ export const mergeOnContact = /* @__PURE__ */ nameSystem('merge on contact', (wo
     const a = remaining(into, pairs[words[Word.a] / 4 + c]);
     const b = remaining(into, pairs[words[Word.b] / 4 + c]);
     if (a === b || !isFree(world, a) || !isFree(world, b)) continue;
+    if (isRigid && !(isRigidDrop(world, a) && isRigidDrop(world, b))) continue;
     if (isResolved || overlap(world, a, b)) merge(world, state, a, b);
   }
   state.lastStep = absorbedIds.length;
@@ -94,6 +100,12 @@ function remaining(into: Uint32Array, row: number): number {
 function isFree({ internal, components }: PhysicsWorld, row: number): boolean {
   const required = bitOf('Position') | bitOf('Velocity') | bitOf('Mass') | bitOf('Collider');
   return (internal.members[row] & required) === required && components.Mass.value[row] > 0;
+}
+
+/** Sensors touch nothing, and kinematic bodies go on whatever they meet. */
+function isRigidDrop(world: PhysicsWorld, row: number): boolean {
+  const { sensor, shape } = world.components.Collider;
+  return sensor[row] === 0 && shape[row] === 0 && !isOpen(world, row, 'Kinematic');
 }
 
 function overlap({ components }: PhysicsWorld, a: number, b: number): boolean {
