@@ -67,7 +67,7 @@ export interface ForceParameter {
 }
 
 /**
- * A force acts on bodies and has no other effect. It is a law, which is fused into the step, or a function that adds to the columns before.
+ * A force acts on bodies and has no other effect: a law, fused into the step, or a function that adds to the force columns before.
  */
 export interface Force {
   readonly name: string;
