@@ -124,7 +124,6 @@ export function openQuery(
   return query;
 }
 
-/** @throws PhysicsError E_TYPE, E_RANGE */
 /** The hit that the kernel wrote. */
 export function readHit({ reals }: RunningQuery, body: number, isWall: boolean): Hit {
   return {
