@@ -83,6 +83,17 @@ function tones(video: HTMLVideoElement, places: readonly (readonly [x: number, y
   });
 }
 
+/** Busy browsers say that a frame was sought before they have its picture: what is drawn of it is nothing, or black. */
+async function pictureOf(video: HTMLVideoElement): Promise<void> {
+  const context = new OffscreenCanvas(1, 1).getContext('2d') as OffscreenCanvasRenderingContext2D;
+  for (let i = 0; i < 100; i++) {
+    context.drawImage(video, 0, 0, 1, 1);
+    const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+    if (Math.max(red, green, blue) > 20) return;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
 /** What a browser finds in a video. */
 async function inspect(data: string, type: string) {
   const video = document.createElement('video');
@@ -109,6 +120,7 @@ async function inspect(data: string, type: string) {
     video.onseeked = done;
     video.currentTime = duration / 2;
   });
+  await pictureOf(video);
   const [shown, hidden, button, unmarked, title] = tones(video, [
     [0, 100],
     [100, 100],
