@@ -27,7 +27,7 @@ const TARGET_TOLERANCE: f64 = 0.08;
 const LATEST_WEIGHT: f64 = 0.3;
 
 // Fractions of the requested error: above the first an evaluation is repeated with a smaller tolerance, and below the
-// second with a larger one, at most so many times.
+// second with a larger one, up to LOOSER_ATTEMPTS times.
 const WITHIN: f64 = 0.85;
 const FAR_WITHIN: f64 = 0.3;
 const LOOSER_ATTEMPTS: i32 = 3;

@@ -242,7 +242,7 @@ function warnAboutMergers(world: PhysicsWorld, { systems }: Plan): void {
   if (shaped === 0) return;
   const warning = {
     message: `body ${shaped} never merges, because mergeOnContact merges discs only, and it has another shape.`,
-    hint: 'Give it a collider without `shape` if it shall merge.',
+    hint: 'Give it a collider without `shape` if it is to merge.',
   };
   warnOnce(world, warning, 'shapes that merge');
 }

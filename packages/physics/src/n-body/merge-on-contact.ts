@@ -69,7 +69,7 @@ export const mergeOnContact = /* @__PURE__ */ nameSystem('merge on contact', (wo
     const a = remaining(into, pairs[words[Word.a] / 4 + c]);
     const b = remaining(into, pairs[words[Word.b] / 4 + c]);
     if (a === b || !isFree(world, a) || !isFree(world, b)) continue;
-    if (isRigid && !(isRigidDrop(world, a) && isRigidDrop(world, b))) continue;
+    if (isRigid && !(isMergingDisc(world, a) && isMergingDisc(world, b))) continue;
     if (isResolved || overlap(world, a, b)) merge(world, state, a, b);
   }
   state.lastStep = absorbedIds.length;
@@ -103,7 +103,7 @@ function isFree({ internal, components }: PhysicsWorld, row: number): boolean {
 }
 
 /** Sensors touch nothing, and kinematic bodies go on whatever they meet. */
-function isRigidDrop(world: PhysicsWorld, row: number): boolean {
+function isMergingDisc(world: PhysicsWorld, row: number): boolean {
   const { sensor, shape } = world.components.Collider;
   return sensor[row] === 0 && shape[row] === 0 && !isOpen(world, row, 'Kinematic');
 }

@@ -51,10 +51,10 @@ export function finishBlocks(t: RigidTable): void {
 
 // By which part of it a point may give way more than its effective mass says, which is that of the start. Where it gives way twice as
 // much, each pass of the solver overshoots by as much as it corrects; beyond that energy grows.
-const MORE: real = 0.5;
+const MOST_EXCESS: real = 0.5;
 
 // At an inverse moment of inertia I, a lever l that is longer by w lets a point of the effective mass m give way by m I (2 l w + w²)
-// more. The root of p w² + q w = MORE, for the larger p and q of both points and directions; infinite where nothing turns.
+// more. The root of p w² + q w = MOST_EXCESS, for the larger p and q of both points and directions; infinite where nothing turns.
 // @ts-ignore: decorator
 @inline function reachOf(at: usize): v128 {
   const shareA = v128.load(at, block.SHARE_A);
@@ -72,8 +72,8 @@ const MORE: real = 0.5;
     const alongTangent = turned(turnA, v128.load(p, block.TANGENT_LEVER_A), turnB, v128.load(p, block.TANGENT_LEVER_B));
     half = larger(half, larger(mul(normal, alongNormal), mul(tangent, alongTangent)));
   }
-  const more = splat(MORE);
-  return div(more, add(half, v128.sqrt<real>(add(mul(half, half), mul(more, mul(mass, square))))));
+  const most = splat(MOST_EXCESS);
+  return div(most, add(half, v128.sqrt<real>(add(mul(half, half), mul(most, mul(mass, square))))));
 }
 
 // @ts-ignore: decorator

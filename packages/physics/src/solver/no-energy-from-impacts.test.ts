@@ -1,4 +1,5 @@
-// Blows that nobody foresaw carry bodies metres along each other within a step. Without restitution nothing gains energy by them.
+// Impacts that velocities at the start of a step do not predict carry bodies metres along each other within it. Without restitution
+// nothing gains energy by them.
 import {
   box,
   createPhysicsWorld,
