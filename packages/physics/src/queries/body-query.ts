@@ -12,7 +12,7 @@ import { cos, sin } from '../math/elementary.ts';
 import { allocate } from '../memory/arena.ts';
 import { BODY_QUERY_BYTES, SHAPE_BYTES } from '../memory/layouts.gen.ts';
 import { namedResource } from '../memory/resource.ts';
-import { contentVersion } from '../solver/content-version.ts';
+import { contentVersion, poolVersion } from '../solver/content-version.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import { rigidTable } from '../solver/rigid-table.ts';
 import { isSoftStep } from '../world/is-soft-step.ts';
@@ -83,7 +83,7 @@ const BODY = (bitOf('Position') | bitOf('Collider')) >>> 0;
 export interface RunningQuery extends WallQuery {
   readonly shapeAt: number;
   readonly reals: RealColumn;
-  /** Address of the table whose trees hold for the bodies as they are now, 0 if none do. */
+  /** Address of the table whose trees, with the rows that changed, hold for the bodies as they are now, 0 if none do. */
   readonly trees: number;
 }
 
@@ -195,7 +195,8 @@ const FEW_BODIES = 200;
 function treesOf(world: PhysicsWorld): number {
   if (!isSoftStep(world.integrator) || world.lastId < FEW_BODIES) return 0;
   const { at } = rigidTable(world);
-  return rigidKernels(world).treesHold(at, world.lastId + 1, contentVersion(world)) === 1 ? at : 0;
+  const isHeld = rigidKernels(world).treesHold(at, world.lastId + 1, contentVersion(world), poolVersion(world));
+  return isHeld === 1 ? at : 0;
 }
 
 /** Confines a query about a point to the bodies within a distance. */

@@ -12,6 +12,7 @@ import {
   CROWD_BYTES,
   ContactEventListWord as EventWord,
   IMPACT_SIZE,
+  REMEMBERED_BLOCK,
   RIGID_CONTACT_SIZE,
   RIGID_TABLE_BYTES,
   SLEEPER_BYTES,
@@ -52,8 +53,8 @@ const EVENT_REALS = [EventWord.x, EventWord.y, EventWord.nx, EventWord.ny, Event
 /** Bytes for each row: state and pose, box, two trees of two nodes, and lists of words. */
 function rowBytes(precision: Precision): number {
   const bytes = realBytes(precision);
-  const records = SLEEPER_BYTES[precision] + 4 * TREE_NODE_BYTES[precision] + TREE_ROW_BLOCK[precision] + CROWD_BYTES;
-  return 21 * bytes + records + 17 * 4;
+  const trees = 4 * TREE_NODE_BYTES[precision] + TREE_ROW_BLOCK[precision] + REMEMBERED_BLOCK[precision];
+  return 21 * bytes + SLEEPER_BYTES[precision] + trees + CROWD_BYTES + 18 * 4;
 }
 
 /** What rigid bodies need in the world's memory for each entity, besides what other features may: for `Preset`. */
@@ -125,6 +126,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.staticNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.movingNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.treeRows, TREE_ROW_BLOCK[precision]);
+  take(Word.rememberedColumns, REMEMBERED_BLOCK[precision]);
   for (const word of [
     Word.flags,
     Word.bodyGenerations,
@@ -135,6 +137,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
     Word.firstEdges,
     Word.visits,
     Word.pushes,
+    Word.changedRows,
   ]) {
     take(word, 4);
   }
@@ -157,7 +160,7 @@ function takeContacts(world: PhysicsWorld, words: Uint32Array): void {
   const bytes = realBytes(precision);
   const { arena } = internal;
   // Lists of 4 KiB and more start at distances that differ: 8 KiB each at most.
-  const room = 0.9 * (arena.bytes - arena.top) - 43 * 8192;
+  const room = 0.9 * (arena.bytes - arena.top) - 45 * 8192;
   const wanted = Math.max(MIN_CONTACTS, CONTACTS_PER_BODY * rows);
   const capacity = Math.max(64, Math.floor(Math.min(wanted, room / listBytes(precision))));
   const take = (word: Word, size: number) => {

@@ -28,7 +28,7 @@ import { markSoftStep } from '../world/is-soft-step.ts';
 import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/types.ts';
 import { askAboutPairs, type ShouldCollide } from './ask-user.ts';
 import { refreshBoxes } from './box-planes.ts';
-import { contentVersion } from './content-version.ts';
+import { contentVersion, poolVersion } from './content-version.ts';
 import { refreshParts } from './refresh-parts.ts';
 import { refreshWalls } from './refresh-walls.ts';
 import { refuseUnsupported } from './refuse-unsupported.ts';
@@ -256,7 +256,7 @@ function endStep(world: PhysicsWorld, { kernels, at, joints }: Solving): void {
   kernels.updateSleep(at);
   if (joints !== 0) kernels.noteSettings(joints);
   kernels.listContactEvents(at);
-  kernels.rememberPoses(at, contentVersion(world));
+  kernels.rememberPoses(at, contentVersion(world), poolVersion(world));
 }
 
 /** Tells the islands which bodies springs connect. */

@@ -121,13 +121,22 @@ export class RigidTable {
   treeRows: usize;
   // Half perimeter of all nodes of the moving tree, when it was made.
   builtPerimeter: f64;
-  // For queries (collision/queries/2d/query-trees.ts): steps for which they are still prepared, the version of what the trees
-  // contain, a checksum of all poses, and the longest way of a body in the last step, m.
+  // For queries (collision/queries/2d/query-trees.ts): steps for which they are still prepared, and the longest way of a body in the
+  // last step, m. Then what they know the bodies by: the version of what the trees contain, that of the pool of shapes, rows in use,
+  // and a checksum of all poses.
   queryPatience: i32;
   rememberedVersion: i32;
+  longestPath: f64;
   rememberedLow: u32;
   rememberedHigh: u32;
-  longestPath: f64;
+  rememberedPool: i32;
+  checkedRows: i32;
+  // Copies of columns after the last step (collision/queries/2d/changed-rows.ts), with their rows; the rows that differ, their number
+  // -1 if they are too many.
+  rememberedColumns: usize;
+  rememberedRows: i32;
+  changedRows: usize;
+  changedRowCount: i32;
   // How many fat boxes changed in this step, and how many of these are of rows that do not move.
   enlargedCount: i32;
   enlargedStatics: i32;

@@ -19,11 +19,22 @@ export interface ShapePool {
   /** Indices handed out since `tick` that may not be in a column yet: bodies appear when the step ends. */
   readonly recent: Set<number>;
   tick: number;
+  /** How often records were cleared for other shapes. */
+  clearings: number;
 }
 
 /** The shape pool of a world, which is empty until the first shape other than a circle. */
 export const shapePool = namedResource('shape pool', (): ShapePool => {
-  return { at: 0, capacity: 0, count: 1, indices: new Map(), shapes: [undefined], recent: new Set(), tick: 0 };
+  return {
+    at: 0,
+    capacity: 0,
+    count: 1,
+    indices: new Map(),
+    shapes: [undefined],
+    recent: new Set(),
+    tick: 0,
+    clearings: 0,
+  };
 });
 
 /** Returns the indices of the shapes that bodies have; 0 is always among them. */

@@ -64,6 +64,7 @@ function clearUnused(world: PhysicsWorld, pool: ShapePool): void {
   for (const index of pool.recent) used.add(index);
   for (const { Collider } of internal.templates.values()) if (Collider !== undefined) used.add(Collider.shape);
   const bytes = SHAPE_BYTES[precision];
+  pool.clearings++;
   for (const [key, index] of pool.indices) {
     if (used.has(index)) continue;
     pool.indices.delete(key);

@@ -1,6 +1,7 @@
 // The trees of the broad phase, for queries about bodies as they are after a step. The boxes of the trees are those of the
-// start of the step, so that a query is widened by as far as any body has moved in it. Poses that someone has changed since
-// then are found by a checksum; the query then visits all rows.
+// start of the step, so that a query is widened by as far as any body has moved in it. A checksum tells whether anything
+// changed since; the rows that did are then listed once (changed-rows.ts), and the query visits them beside what it finds in the
+// trees, or all rows if they are many.
 import { columns } from '../../../memory/columns';
 import { at } from '../../../memory/lanes';
 import { COLLIDES, WALL, flagsOf, putWord, word } from '../../../solver/2d/body';
@@ -8,36 +9,50 @@ import { longestPath } from '../../../solver/2d/paths';
 import { RigidTable } from '../../../solver/2d/rigid-table';
 import { TreeNode, nodeAt } from '../../broad-phase/2d/box-tree';
 import { BodyQuery, queryAt } from './body-query';
+import { listChangedRows, rememberColumns } from './changed-rows';
 
 // Steps without a query after which steps no longer prepare for one.
 const PATIENCE: i32 = 60;
 
-// Ends a step: keeps what tells later whether the trees still hold.
-export function rememberPoses(table: usize, version: i32): void {
+// Ends a step: keeps what tells later which bodies the trees still hold for. `pool` is the version of the pool of shapes.
+export function rememberPoses(table: usize, version: i32, pool: i32): void {
   const t = changetype<RigidTable>(table);
   t.rememberedVersion = -1;
   if (t.queryPatience == 0) return;
   t.queryPatience--;
-  t.rememberedVersion = version;
-  const sum = checksumOfPoses(t);
-  t.rememberedLow = <u32>sum;
-  t.rememberedHigh = <u32>(sum >> 32);
+  rememberColumns(t);
+  t.rememberedPool = pool;
+  noteVersion(t, t.rows, version, checksumOfPoses(t, t.rows));
   // A little more, because sums are rounded.
   t.longestPath = <f64>longestPath(t) * 1.0001;
 }
 
-// Whether the trees hold for the bodies as they are now. The first query after a while finds that they do not.
-export function treesHold(table: usize, rows: i32, version: i32): i32 {
+// Whether the trees and the list of rows that changed tell where all bodies are. The first query after a while finds that they do not.
+export function treesHold(table: usize, rows: i32, version: i32, pool: i32): i32 {
   const t = changetype<RigidTable>(table);
   t.queryPatience = PATIENCE;
-  if (t.rememberedVersion != version || rows != t.rows || (t.staticTreeValid & t.movingTreeValid) == 0) return 0;
-  return i32(checksumOfPoses(t) == (((<u64>t.rememberedHigh) << 32) | <u64>t.rememberedLow));
+  if (t.rememberedVersion == -1 || t.rememberedPool != pool || (t.staticTreeValid & t.movingTreeValid) == 0) return 0;
+  const sum = checksumOfPoses(t, rows);
+  const known = ((<u64>t.rememberedHigh) << 32) | <u64>t.rememberedLow;
+  if (t.rememberedVersion != version || t.checkedRows != rows || known != sum) {
+    listChangedRows(t, rows);
+    noteVersion(t, rows, version, sum);
+  }
+  return i32(t.changedRowCount >= 0);
+}
+
+// The bodies as they are now are those of the list of changed rows.
+function noteVersion(t: RigidTable, rows: i32, version: i32, sum: u64): void {
+  t.checkedRows = rows;
+  t.rememberedVersion = version;
+  t.rememberedLow = <u32>sum;
+  t.rememberedHigh = <u32>(sum >> 32);
 }
 
 // A sum over the bits of all positions and angles, by rotation and exclusive or, which differs when any of them does.
-function checksumOfPoses(t: RigidTable): u64 {
+function checksumOfPoses(t: RigidTable, rows: i32): u64 {
   const c = columns();
-  const end = at((t.rows + 15) & ~15);
+  const end = at((rows + 15) & ~15);
   const sum = addColumn(addColumn(addColumn(i64x2.splat(0), c.positionX, end), c.positionY, end), t.angle, end);
   return <u64>i64x2.extract_lane(sum, 0) ^ ((<u64>i64x2.extract_lane(sum, 1)) << 1);
 }
@@ -62,7 +77,7 @@ function addColumn(start: v128, column: usize, end: usize): v128 {
   return mix(mix(mix(a, b), c), d);
 }
 
-// Lists the bodies whose boxes come within reach of the path of a query, in ascending order.
+// Lists the bodies whose boxes come within reach of the path of a query, and those that changed, in ascending order.
 export function collectCandidates(query: usize, table: usize): void {
   const t = changetype<RigidTable>(table);
   const q = queryAt(query);
@@ -70,6 +85,7 @@ export function collectCandidates(query: usize, table: usize): void {
   q.candidateCount = 0;
   collectIn(t, q, t.staticNodes, t.staticNodeCount);
   collectIn(t, q, t.movingNodes, t.movingNodeCount);
+  for (let i = 0; i < t.changedRowCount; i++) putWord(q.candidates, q.candidateCount++, word(t.changedRows, i));
   sortRows(q.candidates, q.candidateCount);
 }
 
