@@ -9,6 +9,7 @@ import {
   createPhysicsWorld,
   despawn,
   isBody,
+  momentum,
   type PhysicsWorld,
   partsOf,
   restore,
@@ -18,6 +19,7 @@ import {
   spawn,
   spawnCompound,
   spawnMany,
+  springs,
   step,
 } from '../index.ts';
 
@@ -116,5 +118,37 @@ describe('parts of a body are', () => {
     expect(() => applyImpulse(world, parts[0], { x: 7 })).toThrow(/E_STALE/);
     expect(() => createJoint(world, revolute({ b: parts[0], anchor: {} }))).toThrow(/E_STALE/);
     expect(world.components.Velocity.x[other]).toBe(0);
+  });
+});
+
+describe('a spring to a part of a body', () => {
+  const joined = () => {
+    const world = createPhysicsWorld({ preset: rigidBodies, forces: [springs()] });
+    const made = compound(world, 2);
+    const ball = spawn(world, { position: { y: 3 }, collider: { radius: 0.2, density: 10 } });
+    return { world, made, ball };
+  };
+
+  test('is refused before anything moves, and the body in place of it is not', () => {
+    const { world, made, ball } = joined();
+    const spring = spawn(world, { spring: { a: ball, b: made.parts[1], stiffness: 10, length: 1 } });
+    expect(() => step(world, 1 / 60)).toThrow(/E_RANGE: spring .* joins .* a part of a compound body/);
+    expect(() => step(world, 1 / 60)).toThrow(/bodyOf\(world, part\)/);
+    expect(world.components.Velocity.y[ball]).toBe(0);
+    addComponent(world, spring, set(world.components.Spring, { b: made.body }));
+    for (let i = 0; i < 20; i++) step(world, 1 / 60);
+    expect(world.components.Velocity.y[ball]).toBeLessThan(-0.1);
+    // What one end gets the other loses: Newton's third law, to rounding.
+    expect(Math.abs(momentum(world).y)).toBeLessThan(1e-12);
+  });
+
+  test('that only a written column says lets the islands end', () => {
+    const { world, made, ball } = joined();
+    const spring = spawn(world, { spring: { a: ball, b: made.body, stiffness: 10, length: 3 } });
+    step(world, 1 / 60);
+    world.components.Spring.b[spring] = made.parts[1];
+    world.components.Spring.bGeneration[spring] = world.internal.generations[made.parts[1]];
+    for (let i = 0; i < 120; i++) step(world, 1 / 60);
+    expect(world.tick).toBe(121);
   });
 });

@@ -19,8 +19,8 @@ const NEEDED = ['Position', 'Rotation', 'Collider'] as const;
 
 /**
  * Brings the list of parts up to date. Parts whose body was removed through bitECS are removed here.
- * @throws PhysicsError E_RANGE for a part of a part, a part without one of its components or of what is no id, and a joint to a
- *   part; E_CAPACITY
+ * @throws PhysicsError E_RANGE for a part of a part, a part without one of its components or of what is no id, and a joint or a spring
+ *   to a part; E_CAPACITY
  */
 export function refreshParts(world: PhysicsWorld): void {
   const { words } = rigidTable(world);
@@ -41,7 +41,7 @@ export function refreshParts(world: PhysicsWorld): void {
   const ids = new Uint32Array(buffer, list.ids, list.count);
   try {
     for (const id of ids) checkPart(world, id);
-    if (list.count > 0) checkJoints(world);
+    if (list.count > 0) for (const name of ['Joint', 'Spring'] as const) checkEnds(world, name);
   } catch (error) {
     // The next step checks again.
     list.version = -1;
@@ -87,19 +87,26 @@ function checkPart(world: PhysicsWorld, part: number): void {
   }
 }
 
-function checkJoints(world: PhysicsWorld): void {
+/** Forces on a part do not reach its body: what pulls at two bodies names these. */
+function checkEnds(world: PhysicsWorld, name: 'Joint' | 'Spring'): void {
   const { counts, members } = world.internal;
-  if (counts.Joint === 0) return;
-  const { a, b } = world.components.Joint;
+  if (counts[name] === 0) return;
+  const { a, b } = world.components[name];
+  const kind = name.toLowerCase();
   for (let id = 1; id <= world.lastId; id++) {
-    if (!isOpen(world, id, 'Joint')) continue;
+    if (!isOpen(world, id, name)) continue;
     const part = [a[id], b[id]].find((end) => (members[end] & bitOf('Attachment')) !== 0);
     if (part === undefined) continue;
-    throw new PhysicsError('E_RANGE', `joint ${id} joins ${part}, which is a part of a compound body.`, {
+    throw new PhysicsError('E_RANGE', `${kind} ${id} joins ${part}, which is a part of a compound body.`, {
       entity: id,
-      field: 'joint',
+      field: kind,
       value: part,
-      hint: 'Join the body: bodyOf(world, part) is its id.',
+      hint: ENDS[name],
     });
   }
 }
+
+const ENDS = {
+  Joint: 'Join the body: bodyOf(world, part) is its id.',
+  Spring: 'Join the body: bodyOf(world, part) is its id. A spring away from its centre is distance({ …, spring }).',
+} as const;

@@ -245,5 +245,5 @@ export function wakeSprung(t: RigidTable): bool {
 // The body at an end of a spring.
 // @ts-ignore: decorator
 @inline function springEnd(t: RigidTable, i: i32, end: i32): i32 {
-  return word(t.springs, 3 * i + 1 + end);
+  return bodyOf(t, word(t.springs, 3 * i + 1 + end));
 }
