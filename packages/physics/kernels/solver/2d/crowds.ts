@@ -1,7 +1,8 @@
 // Islands whose kinetic energy is bounded.
 //
-// Crowds: bodies that were put into each other. Each contact pushes its two bodies apart at a bounded speed, but the pushes of
-// many layers add up, and one relaxing pass cannot take back what they gave. So in a sub-step of a crowd
+// Crowds: bodies that were put into each other, or into what does not move. Each contact pushes its two bodies apart at a bounded
+// speed, but the pushes of many layers add up, and one relaxing pass cannot take back what they gave, nor what two walls gave to
+// what is wedged between them. So in a sub-step of a crowd
 //
 //   before positions change   no body is faster than overlap is pushed out, nor than the fastest before contacts were solved
 //   when all is relaxed       the kinetic energy is at most what it was before: contacts give none
@@ -28,8 +29,8 @@ import { noteDeepPair } from './deep-pairs';
 import { islandOf, labelIslands } from './islands';
 import { RigidTable } from './rigid-table';
 
-// A contact is deep if two bodies that move overlap by half the lesser of their least extents from the centre when it begins,
-// and did not come so far by their speed: they were put there. It stays deep until they overlap by a twentieth.
+// A contact is deep if two bodies overlap by half the lesser of their least extents from the centre when it begins, and did not
+// come so far by their speed: they were put there. It stays deep until they overlap by a twentieth.
 const DEEP: real = 0.5;
 const FLAT: real = 0.05;
 
@@ -81,15 +82,20 @@ const SIZE: usize = (offsetof<Crowd>() + 7) & ~7;
   if ((contact.flags & (WAS_TOUCHING | IS_DEEP)) == WAS_TOUCHING) return;
   if (isDeep(t, contact)) {
     contact.flags |= IS_DEEP;
-    t.deepCount++;
+    t.deepCount += weightOf(t, contact);
     noteDeepPair(t, contact);
   } else contact.flags &= ~IS_DEEP;
+}
+
+// What is put into something that does not move may be held by it from two sides, and counts as much as two bodies in one.
+// @ts-ignore: decorator
+@inline function weightOf(t: RigidTable, contact: RigidContact): i32 {
+  return poseOf(t, contact.bodyA).inverseMass == 0 || poseOf(t, contact.bodyB).inverseMass == 0 ? FEWEST : 1;
 }
 
 function isDeep(t: RigidTable, contact: RigidContact): bool {
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
-  if (a.inverseMass == 0 || b.inverseMass == 0) return false;
   const extent = min<real>(a.minExtent, b.minExtent);
   const point = deepest(contact);
   if ((contact.flags & IS_DEEP) != 0) return -point.separation > FLAT * extent;
@@ -158,7 +164,7 @@ function noteBody(t: RigidTable, row: i32): void {
 function noteContact(t: RigidTable, contact: RigidContact): void {
   const crowd = notePair(t, contact.bodyA, contact.bodyB);
   if (contact.tangentSpeed != 0) crowd.driven = 1;
-  if ((contact.flags & IS_DEEP) != 0) crowd.deepContacts++;
+  if ((contact.flags & IS_DEEP) != 0) crowd.deepContacts += weightOf(t, contact);
 }
 
 // Two bodies that touch or are joined, one of which may be row 0.
