@@ -2,9 +2,11 @@
 import {
   attractors,
   box,
+  buoyancy,
   createJoint,
   createPhysicsWorld,
   distance,
+  immersedDrag,
   isAsleep,
   linearDrag,
   momentum,
@@ -17,6 +19,7 @@ import {
   springs,
   step,
   uniformGravity,
+  weld,
 } from '@principia/physics';
 import { describe, expect, test } from 'vitest';
 import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
@@ -80,6 +83,39 @@ describe('what nothing holds', () => {
     world.forces.push(uniformGravity({ x: acceleration }));
     run(world, 3 * DT);
     expect(isAsleep(world, body)).toBe(acceleration < FREE);
+  });
+
+  test.each(['rests on it', 'is welded to it', 'hangs below it'])('sleeps afloat with cargo that %s', (cargo) => {
+    const water = { density: 1000, level: 0, gravity: { y: -G } };
+    const world = rigidWorld({ forces: [uniformGravity(), buoyancy(water), immersedDrag(water)] });
+    const shape = box(2, 0.5);
+    const hull = { shape: 1 };
+    const raft = spawn(world, {
+      position: {},
+      collider: { shape, density: 500 },
+      hull,
+      linearDrag: 3000,
+      motionLocks: { angle: true },
+    });
+    const y = cargo === 'hangs below it' ? -1 : 0.35;
+    const crate = spawn(world, { position: { y }, velocity: {}, mass: 60, collider: { shape: box(0.2, 0.2) } });
+    if (cargo === 'is welded to it') createJoint(world, weld({ a: raft, b: crate, anchor: { y: 0.25 } }));
+    if (cargo === 'hangs below it') createJoint(world, distance({ a: raft, b: crate }));
+    run(world, 10);
+    expect([raft, crate].map((id) => isAsleep(world, id))).toEqual([true, true]);
+    // Archimedes: 560 kg displace 0.56 m² of 1 m depth, of a raft of 2 m by 0.5 m.
+    expect(world.components.Position.y[raft]).toBeCloseTo(-0.03, 3);
+  });
+
+  test('swings on where two turn back in nothing more than the forces that would wake them', () => {
+    const world = space([springs()]);
+    // An amplitude A of each with the frequency ω, and ω² A = 1.5 FREE where they turn back.
+    const [amplitude, omega] = [0.04, Math.sqrt((1.5 * FREE) / 0.04)];
+    const [a, b] = [-1, 1].map((side) => puck(world, { position: { x: side * (1 + amplitude) } }));
+    spawn(world, { spring: { a, b, stiffness: omega ** 2 / 2, length: 2 } });
+    run(world, Math.PI / omega);
+    // Half a period later each is on the other side, to the order ω h of semi-implicit Euler.
+    expect(world.components.Position.x[b]).toBeCloseTo(1 - amplitude, 3);
   });
 });
 

@@ -50,7 +50,7 @@ export function countStill(t: RigidTable): bool {
     const mean = still ? meanSpeed(t, row, sleeper) : <real>Infinity;
     sleeper.stillFor = mean <= CREEP * limit ? sleeper.stillFor + dt : 0;
     sleeper.steadyFor = mean <= SWING * limit ? sleeper.steadyFor + dt : 0;
-    sleeper.freeFor = still && isFree(t, row, speed) ? sleeper.freeFor + dt : 0;
+    sleeper.freeFor = still && speed <= FREE * limit ? sleeper.freeFor + (isFree(t, row) ? dt : <real>0.5 * dt) : 0;
     sleeper.island = row;
     sleeper.holds = (flagsOf(t, row) & LOCKED) != 0 && openAxes(t, row) == 0 ? HELD : 0;
     if (<f64>sleeper.stillFor >= t.sleepTime || (flagsOf(t, row) & TO_SLEEP) != 0) any = true;
@@ -92,8 +92,7 @@ function meanSpeed(t: RigidTable, row: i32, sleeper: Sleeper): real {
 }
 
 // Whether a body would hardly move if nothing held it. Along what is locked forces do not count.
-function isFree(t: RigidTable, row: i32, speed: real): bool {
-  if (speed > FREE * <real>t.sleepSpeed) return false;
+function isFree(t: RigidTable, row: i32): bool {
   const x = get(t.forceX, row) * inverseMassX(t, row);
   const y = get(t.forceY, row) * inverseMassY(t, row);
   return sqrt<real>(x * x + y * y) + turnOf(t, row, torqueOn(t, row)) <= freeAcceleration(t);
