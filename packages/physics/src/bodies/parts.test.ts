@@ -129,17 +129,24 @@ describe('a spring to a part of a body', () => {
     return { world, made, ball };
   };
 
-  test('is refused before anything moves, and the body in place of it is not', () => {
+  test('is refused, and one to the body acts on it', () => {
     const { world, made, ball } = joined();
-    const spring = spawn(world, { spring: { a: ball, b: made.parts[1], stiffness: 10, length: 1 } });
-    expect(() => step(world, 1 / 60)).toThrow(/E_RANGE: spring .* joins .* a part of a compound body/);
-    expect(() => step(world, 1 / 60)).toThrow(/bodyOf\(world, part\)/);
-    expect(world.components.Velocity.y[ball]).toBe(0);
-    addComponent(world, spring, set(world.components.Spring, { b: made.body }));
+    const values = { a: ball, stiffness: 10, length: 1 };
+    expect(() => spawn(world, { spring: { ...values, b: made.parts[1] } })).toThrow(/E_RANGE: spring.b .* part of a/);
+    spawn(world, { spring: { ...values, b: made.body } });
     for (let i = 0; i < 20; i++) step(world, 1 / 60);
     expect(world.components.Velocity.y[ball]).toBeLessThan(-0.1);
     // What one end gets the other loses: Newton's third law, to rounding.
     expect(Math.abs(momentum(world).y)).toBeLessThan(1e-12);
+  });
+
+  test('is refused by the next step where its end became a part later', () => {
+    const { world, made, ball } = joined();
+    const end = spawn(world, { position: { x: 5 }, rotation: 0, collider: { radius: 0.1 } });
+    spawn(world, { spring: { a: ball, b: end, stiffness: 10, length: 1 } });
+    addComponent(world, end, set(world.components.Attachment, { body: made.body, x: 5 }));
+    expect(() => step(world, 1 / 60)).toThrow(/E_RANGE: spring .* joins .* bodyOf\(world, part\)/s);
+    expect(world.components.Velocity.y[ball]).toBe(0);
   });
 
   test('that only a written column says lets the islands end', () => {

@@ -8,8 +8,8 @@ import { bodyId, defineComponent, flag, real, u32 } from './define.ts';
 export const Spring = defineComponent({
   fields: {
     /** The ids of the bodies that it joins. */
-    a: bodyId('aGeneration'),
-    b: bodyId('bGeneration'),
+    a: bodyId('aGeneration', true),
+    b: bodyId('bGeneration', true),
     /** The generations of these ids, filled in by the engine. */
     aGeneration: u32(''),
     bGeneration: u32(''),
