@@ -20,7 +20,7 @@ export const PARTICLE_CONTACTS_CONSTANTS: usize = 2560;
 export const SOFT_BODIES_CONSTANTS: usize = 3072;
 export const XPBD_CONSTANTS: usize = 3584;
 export const RIGID_2D_CONSTANTS: usize = 4096;
-export const ROTATION_CONSTANTS: usize = 12064;
+export const ROTATION_CONSTANTS: usize = 12192;
 
 // Where columns begin.
-export const FIRST_COLUMN: usize = 12288;
+export const FIRST_COLUMN: usize = 12416;

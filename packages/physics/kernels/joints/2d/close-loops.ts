@@ -14,51 +14,21 @@ import { RigidTable } from '../../solver/2d/rigid-table';
 import { softness } from '../../solver/2d/softness';
 import { ArticulatedBody, pushBody } from './articulated-body';
 import { ACROSS, notePull } from './brace-rods';
+import { clearHeldTwice } from './held-twice';
 import { coupling, finite } from './joint-rows';
 import { DISTANCE, GEAR, JointImpulses, JointTable, PULLEY, impulsesOf, isCoupling, lockAddress } from './joint-table';
 import { treeBody } from './joint-trees';
 import { JointRow, JointWork, rowOf, workAt } from './joint-work';
+import { LOOP_ROW, LoopRow, clearDirection, loopRow } from './loop-row';
 import { pushAxes } from './push-axes';
 import { Mechanism, mechanismAt, treeOfMechanism } from './mechanisms';
 import { ROW_A, ROW_B, giveOfRope, inverseMassOf } from './solve-couplings';
 import { factorSymmetric, solveSymmetric } from './symmetric-matrix';
 import { gatherTree, passTree, respond } from './sweep-tree';
 
-// A direction that a joint of a mechanism locks and that is in no tree: what it has of the velocity of each body.
-@unmanaged
-export class LoopRow {
-  ax: f64;
-  ay: f64;
-  aw: f64;
-  bx: f64;
-  by: f64;
-  bw: f64;
-  // Both bodies, class ArticulatedBody; 0 for one that joints do not move.
-  a: usize;
-  b: usize;
-  // Where its impulse stands.
-  impulse: usize;
-  pad: usize;
-  // The inverse mass of both bodies along it, 1/kg.
-  inverseMass: f64;
-  // How much it gives way, 1/kg.
-  compliance: f64;
-  // How fast it is to close: what closes the gap, the chord (chords.ts), and how fast a body moves that joints do not move, m/s.
-  wanted: f64;
-  // How fast it moves otherwise, then the impulse along it, N s.
-  value: f64;
-}
-
-const SIZE: usize = offsetof<LoopRow>();
-
 // Of the inverse mass that both bodies of a joint have by themselves: how much it gives way. Where bars stretch to a line, a loop can
 // follow hardly any error, and what rounding leaves of one must not throw them about.
 const COMPLIANCE: f64 = 1e-5;
-
-// @ts-ignore: decorator
-@inline function loopRow(t: JointTable, i: i32): LoopRow {
-  return changetype<LoopRow>(t.loopRows + <usize>i * SIZE);
-}
 
 // Closes the loops of all mechanisms, whose trees are gathered and wait for the velocities of their roots.
 export function closeAllLoops(t: JointTable, rigid: RigidTable, bias: f64, soft: bool, factor: bool): void {
@@ -94,7 +64,7 @@ export function closeLoops(
     if (factor && !soft) row.value += row.compliance * load<f64>(row.impulse);
   }
   if (factor) factorLoops(t, mechanism);
-  solveSymmetric(mechanism.matrix, mechanism.rows, t.loopRows + offsetof<LoopRow>('value'), SIZE);
+  solveSymmetric(mechanism.matrix, mechanism.rows, t.loopRows + offsetof<LoopRow>('value'), LOOP_ROW);
   for (let i = 0; i < mechanism.rows; i++) {
     const row = loopRow(t, i);
     row.value = -finite(row.value);
@@ -112,7 +82,7 @@ export function respondClosed(t: JointTable, mechanism: Mechanism, body: usize, 
   pushBody(body, x, y, turn);
   respond(t, tree);
   for (let i = 0; i < mechanism.rows; i++) loopRow(t, i).value = speedAlong(loopRow(t, i));
-  solveSymmetric(mechanism.matrix, mechanism.rows, t.loopRows + offsetof<LoopRow>('value'), SIZE);
+  solveSymmetric(mechanism.matrix, mechanism.rows, t.loopRows + offsetof<LoopRow>('value'), LOOP_ROW);
   pushBody(body, x, y, turn);
   for (let i = 0; i < mechanism.rows; i++) push(loopRow(t, i), -finite(loopRow(t, i).value));
   respond(t, tree);
@@ -124,7 +94,9 @@ export function listRows(t: JointTable, rigid: RigidTable, mechanism: Mechanism,
   for (let i = 0; i < mechanism.count; i++) {
     const work = workAt(t, mechanism.first + i);
     if (isCoupling(work.kind)) listCoupling(t, rigid, mechanism, work, bias);
+    const first = mechanism.rows;
     for (let p = 0; p < work.locks; p++) listLock(t, mechanism, work, p, bias);
+    clearHeldTwice(t, work, first, first + work.ownLocks);
     if (work.acrossInverse > 0) listLock(t, mechanism, work, ACROSS, bias);
   }
 }
@@ -163,18 +135,6 @@ function listCoupling(t: JointTable, rigid: RigidTable, mechanism: Mechanism, wo
   const b = stateOf(rigid, work.b);
   if (to.a == 0) to.wanted += p.x * <f64>a.vx + p.y * <f64>a.vy + p.armA * <f64>a.w;
   if (to.b == 0) to.wanted += q.x * <f64>b.vx + q.y * <f64>b.vy + q.armB * <f64>b.w;
-}
-
-function clearDirection(row: LoopRow): void {
-  row.ax = 0;
-  row.ay = 0;
-  row.aw = 0;
-  row.bx = 0;
-  row.by = 0;
-  row.bw = 0;
-  row.inverseMass = 0;
-  row.compliance = 0;
-  row.wanted = 0;
 }
 
 function startRow(t: JointTable, mechanism: Mechanism, work: JointWork, row: JointRow, bias: f64): LoopRow {

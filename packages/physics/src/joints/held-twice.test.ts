@@ -1,0 +1,92 @@
+// Two joints of the same two bodies hold them as one would: they neither press against each other nor give energy.
+import {
+  box,
+  boxWalls,
+  createJoint,
+  createRandom,
+  energy,
+  type JointInput,
+  jointForce,
+  type PhysicsWorld,
+  revolute,
+  spawn,
+  step,
+  weld,
+  wheel,
+} from '@principia/physics';
+import { describe, expect, test } from 'vitest';
+import { DT, G, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
+
+type Pair = (a: number, b: number) => readonly [JointInput, JointInput];
+
+const PAIRS: Record<string, Pair> = {
+  'two hinges': (a, b) => [revolute({ a, b, anchor: { x: 0, y: 0 } }), revolute({ a, b, anchor: { x: 0.1, y: 0.2 } })],
+  'a hinge twice and across': (a, b) => [
+    revolute({ a, b, anchor: { x: 0, y: -0.2 } }),
+    revolute({ a, b, anchor: { x: 0, y: 0.2 } }),
+  ],
+  'a weld and a wheel far from it': (a, b) => [
+    weld({ a, b, anchor: { y: 0 } }),
+    wheel({ a, b, anchor: { x: 2 }, axis: { x: 1, y: 1 } }),
+  ],
+  'a wheel and a weld': (a, b) => [
+    wheel({ a, b, anchor: { x: 0.2 }, axis: { x: 1, y: 1 } }),
+    weld({ a, b, anchor: { y: 0 } }),
+  ],
+};
+
+const joined = (world: PhysicsWorld, pair: Pair, mass: number, velocity = {}) => {
+  const collider = { shape: box(0.7, 0.5), friction: 0.5 };
+  const a = spawn(world, { position: { x: -0.4 }, velocity, mass, collider });
+  const b = spawn(world, { position: { x: 0.4 }, velocity, mass: 1, collider });
+  const joints = pair(a, b).map((joint) => createJoint(world, joint));
+  return { a, b, joints };
+};
+
+const CASES = Object.keys(PAIRS).flatMap((name) => [1, 16, 64].map((ratio) => [name, ratio] as const));
+
+describe.each(CASES)('%s, of bodies of 1 : %s', (name, ratio) => {
+  test('thrown about a room gain no energy, and do not press against each other', () => {
+    const random = createRandom(5);
+    for (let k = 0; k < 20; k++) {
+      const walls = boxWalls({ min: { x: -6, y: -6 }, max: { x: 6, y: 6 }, restitution: 0.5, friction: 0.5 });
+      const world = rigidWorld({ walls: [walls] });
+      const { joints } = joined(world, PAIRS[name], ratio, { x: random.uniform(-5, 5), y: random.uniform(-5, 5) });
+      let least = energy(world).total;
+      // Free fall of 12 m adds less than 9 m/s to 7 m/s. No blow takes more than this momentum, times 1.5 for e, in a sub-step of 1/240 s.
+      const blow = (ratio + 1) * 16 * 1.5 * 240;
+      for (let i = 0; i < 300; i++) {
+        step(world, DT);
+        const now = energy(world).total;
+        // Joints that gave way in a blow lift what hangs on them when they close: by some centimetres.
+        expect(now - least).toBeLessThan((ratio + 1) * G * 0.1);
+        least = Math.min(least, now);
+        for (const joint of joints) expect(jointForce(world, joint)).toBeLessThan(blow);
+      }
+    }
+  });
+
+  test('bear the weight of the second body, and no more', () => {
+    const world = rigidWorld();
+    const ground = spawn(world, { position: { x: -0.4, y: -0.5 }, collider: { shape: box(0.4, 0.5) } });
+    const { joints } = joined(world, PAIRS[name], ratio);
+    expect(ground).toBeGreaterThan(0);
+    run(world, 2);
+    // The beam holds its end up: the force of each joint is at most what levers of 0.1 m make of a weight of 1 kg at 0.4 m, or of that of a.
+    const most = ((ratio + 1) * G * 0.8) / 0.1;
+    for (const joint of joints) expect(jointForce(world, joint)).toBeLessThan(most);
+  });
+});
+
+test('two hinges hold the angle of two bodies', () => {
+  const world = rigidWorld();
+  const wall = spawn(world, { position: { x: -0.4 }, collider: { shape: box(0.7, 0.5) } });
+  const arm = spawn(world, { position: { x: 0.4 }, mass: 1, collider: { shape: box(0.7, 0.5) } });
+  const tip = spawn(world, { position: { x: 1.2 }, mass: 1, collider: { shape: box(0.7, 0.5) } });
+  createJoint(world, weld({ a: wall, b: arm, anchor: { x: 0 } }));
+  for (const y of [-0.2, 0.2]) createJoint(world, revolute({ a: arm, b: tip, anchor: { x: 0.8, y } }));
+  run(world, 2);
+  const { Rotation } = world.components;
+  // Joints give way by load/(m ω²) at 60 Hz: 1 kg at 0.4 m over 0.4 m, some 1e-4 m.
+  expect(Math.abs(Rotation.angle[tip] - Rotation.angle[arm])).toBeLessThan(1e-3);
+});
