@@ -99,6 +99,22 @@ it('names a part that has a hull', () => {
   );
 });
 
+it.each([
+  ['Thrust', { y: 10 }],
+  ['LinearDrag', { coefficient: 1 }],
+  ['Charge', { value: 1e-6 }],
+  ['GravityScale', { value: 0 }],
+  ['NeverSleep', {}],
+] as const)('names a part that has %s, which its body should have', (name, values) => {
+  const { world, messages } = warnedWorld({ preset: rigidBodies });
+  const { parts } = spawnCompound(world, { parts: [{ shape: box(1, 1), density: 1 }] });
+  step(world, 1 / 60);
+  expect(messages()).toBe('');
+  addComponent(world, parts[0], set(world.components[name] as typeof world.components.Charge, values));
+  step(world, 1 / 60);
+  expect(messages()).toContain(`the ${name} of part ${parts[0]} has no effect`);
+});
+
 it('names a body with added mass that others may press, or a joint holds', () => {
   const warned = (mask: number, others: number, options = {}, joined = false) => {
     const { world, messages } = warnedWorld({ preset: rigidBodies, forces: [addedMass(SEA)], ...options });

@@ -1,5 +1,5 @@
 // Warnings about bodies whose parts or columns were changed in a way that is surely not meant.
-import { bitOf } from '../components/membership.ts';
+import { bitInWord, bitOf, bitsOf, isInFirstWord } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { firstRow, isKinematic } from './first-row.ts';
@@ -18,6 +18,33 @@ export function notePartRemoved(world: PhysicsWorld, body: number): void {
 export function warnAboutBodies(world: PhysicsWorld): void {
   warnAboutEmptyCompounds(world);
   findKinematic(world);
+  warnAboutValuesOfParts(world);
+}
+
+/** What acts on the body of a part, or says how it may move. */
+const OF_BODIES = [
+  ...(['Hull', 'Charge', 'LinearDrag', 'QuadraticDrag', 'AngularDrag', 'Lift', 'Thrust', 'Motor', 'Engine'] as const),
+  ...(['GravityScale', 'MotionLocks', 'NeverSleep', 'Kinematic'] as const),
+];
+
+/** Warns about what a part has and its body should have. */
+function warnAboutValuesOfParts(world: PhysicsWorld): void {
+  const { counts, members, moreMembers } = world.internal;
+  if (counts.Attachment === 0 || OF_BODIES.every((name) => counts[name] === 0)) return;
+  const { first, second } = bitsOf(OF_BODIES);
+  const isOfPart = (id: number) => (members[id] & first) !== 0 || (moreMembers[id] & second) !== 0;
+  const part = firstRow(world, (id) => (members[id] & bitOf('Attachment')) !== 0 && isOfPart(id));
+  if (part === 0) return;
+  const name = OF_BODIES.find((each) => ((isInFirstWord(each) ? members : moreMembers)[part] & bitInWord(each)) !== 0);
+  const body = world.components.Attachment.body[part];
+  const warning = {
+    message: `the ${name} of part ${part} has no effect, because forces act on compound bodies and not on their parts.`,
+    hint:
+      name === 'Hull'
+        ? `Give one to its body, ${body}: spawnCompound(world, { hull: { volume, halfHeight }, parts }).`
+        : `Give it to its body, ${body}, as by spawnCompound(world, { parts, … }).`,
+  };
+  warnOnce(world, warning, 'values of a part');
 }
 
 /** Warns about an impulse on a body that none can move. */

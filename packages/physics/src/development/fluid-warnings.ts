@@ -11,7 +11,6 @@ export function warnAboutFluids(world: PhysicsWorld, plan: Plan, dt: number): vo
   if (world.internal.counts.Hull === 0) return;
   warnAboutHullShapes(world);
   warnAboutHullHeights(world);
-  warnAboutHullsOfParts(world);
   warnAboutAddedMass(world, plan);
   warnAboutStiffBuoyancy(world, dt);
   warnAboutLongHulls(world);
@@ -92,18 +91,6 @@ function warnAboutHullHeights(world: PhysicsWorld): void {
 
 function isPart(world: PhysicsWorld, id: number): boolean {
   return has(world, id, 'Attachment');
-}
-
-/** Forces act on bodies. */
-function warnAboutHullsOfParts(world: PhysicsWorld): void {
-  if (world.internal.counts.Attachment === 0) return;
-  const part = firstRow(world, (id) => has(world, id, 'Hull') && isPart(world, id));
-  if (part === 0) return;
-  const warning = {
-    message: `the Hull of part ${part} has no effect, because forces act on compound bodies and not on their parts.`,
-    hint: `Give one to its body, ${world.components.Attachment.body[part]}: spawnCompound(world, { hull: { volume, halfHeight }, parts }).`,
-  };
-  warnOnce(world, warning, 'hull of a part');
 }
 
 /** What presses or holds a body does not feel the fluid that moves with it. */
