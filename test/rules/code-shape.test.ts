@@ -47,6 +47,24 @@ test('no literal is spread into another', () => {
   expectNone('`...{ a, b }` only makes the formatter put a and b on one line; write them out:', violations);
 });
 
+test('packages destructure nothing into named members', () => {
+  const published = sources.filter((path) => path.startsWith('packages/'));
+  const violations = published.flatMap((path) => {
+    const { text, tree } = parse(path);
+    const found: string[] = [];
+    walk(tree, (node) => {
+      if (node.type !== 'AssignmentExpression') return;
+      const { elements, properties } = node.left as { elements?: (Node | null)[]; properties?: Node[] };
+      const targets = elements ?? properties?.map(({ value }) => value as Node) ?? [];
+      if (!targets.some((target) => target?.type === 'MemberExpression' && target.computed !== true)) return;
+      found.push(`${path}:${lineOf(text, node.start)}`);
+    });
+    return found;
+  });
+  const rule = 'The minifier of `next build` can make `[0, 0] = …` of `[point.x, point.y] = …`; assign one by one:';
+  expectNone(rule, violations);
+});
+
 test('files and folders have kebab-case names', () => {
   const conventional = /^(\.[\w.-]+|README\.md|LICENSE|CHANGELOG\.md|CONTRIBUTING\.md)$/;
   const kebabCase = /^[a-z0-9]+(-[a-z0-9]+)*(\.[a-z0-9]+(-[a-z0-9]+)*)*$/;

@@ -118,8 +118,14 @@ function turnIntoBody(
       qw = q.w[id] / length;
     }
   }
-  [local.ox, local.oy, local.oz] = turned(qx, qy, qz, qw, x, y, z);
-  [local.dx, local.dy, local.dz] = turned(qx, qy, qz, qw, direction.x, direction.y, direction.z);
+  const origin = turned(qx, qy, qz, qw, x, y, z);
+  local.ox = origin[0];
+  local.oy = origin[1];
+  local.oz = origin[2];
+  const along = turned(qx, qy, qz, qw, direction.x, direction.y, direction.z);
+  local.dx = along[0];
+  local.dy = along[1];
+  local.dz = along[2];
 }
 
 function turned(

@@ -75,7 +75,8 @@ export default defineExample({
         if (!isInside({ x, y }, shape)) continue;
         const dot = shown[sums.hits++ % MAX_SHOWN];
         sums.squares += x * x + y * y;
-        [dot.x, dot.y] = [x, y];
+        dot.x = x;
+        dot.y = y;
       }
     });
     const estimate = () => (sums.hits === 0 ? 0 : sums.squares / sums.hits);
