@@ -64,12 +64,14 @@ async function wrongTypes(/** @type {import('./lib/packed-packages.mjs').Packed}
 }
 
 /**
- * The consumer's program, and those of the front pages.
+ * The programs of consumers, and those of the front pages.
  * @param {string} project
  */
 function writePrograms(project) {
   writeFileSync(`${project}/package.json`, JSON.stringify({ type: 'module' }));
-  copyFileSync(`${root}/test/packages/consumer.ts`, `${project}/consumer.ts`);
+  for (const name of ['consumer', 'declarations']) {
+    copyFileSync(`${root}/test/packages/${name}.ts`, `${project}/${name}.ts`);
+  }
   for (const name of packageNames) writeFileSync(`${project}/${name}.ts`, `${codeOf(readmeOf(name))}\nexport {};\n`);
 }
 
@@ -81,6 +83,7 @@ function writePrograms(project) {
 async function compileErrors(project, module, moduleResolution) {
   const compilerOptions = {
     strict: true,
+    declaration: true,
     skipLibCheck: false,
     noEmit: true,
     types: [],

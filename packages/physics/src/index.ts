@@ -48,10 +48,12 @@ export { type BodyBoxes, bodyBoxes } from './debug/body-boxes.ts';
 export { type ContactPoints, contactPoints } from './debug/contact-points.ts';
 export { angularMomentum, centreOfMass, type Energy, energy, momentum, totalMass } from './diagnostics/energy.ts';
 export { stateHash } from './diagnostics/hash.ts';
+export type { BoxSystem } from './dynamics/box-system.ts';
 export { defineCheckedLaw as defineLaw, type LawFactory } from './dynamics/define-law.ts';
 export { evaluateForces } from './dynamics/evaluate-forces.ts';
 export { explain } from './dynamics/explain.ts';
 export { lawFromPotential, type PotentialOptions } from './dynamics/law-from-potential.ts';
+export type { LawForce } from './dynamics/sum-of-laws.ts';
 export { beginStep, validateMotion, validateState } from './dynamics/validate-state.ts';
 export { type EntityRef, entityRef, isAlive, isBody, resolve } from './ecs/entity-ref.ts';
 export { columnsOf } from './ecs/own-components.ts';
@@ -165,7 +167,7 @@ export { type PulleyOptions, pulley } from './joints/pulley.ts';
 export { type RevoluteOptions, revolute } from './joints/revolute.ts';
 export { type WeldOptions, weld } from './joints/weld.ts';
 export { type WheelOptions, wheel } from './joints/wheel.ts';
-export type { Precision } from './kernels/instantiate.ts';
+export type { KernelExports, Precision } from './kernels/instantiate.ts';
 export type { BodySymbols, ReadSymbols, Reads } from './laws/body-symbols.ts';
 export {
   axial3,
@@ -179,14 +181,24 @@ export {
 export { type CustomForce, defineForce } from './laws/force.ts';
 export { formulasOf } from './laws/formula.ts';
 export type { LawOptions } from './laws/law.ts';
-export { axialVector, axialVectorOverTime, scalar, vector, vectorOverTime } from './laws/parameter.ts';
+export {
+  axialVector,
+  axialVectorOverTime,
+  type Optional as OptionalParameter,
+  type ParameterInput,
+  scalar,
+  vector,
+  vectorOverTime,
+} from './laws/parameter.ts';
 export { type CurvePoints, piecewiseLinear } from './laws/piecewise-linear.ts';
 export type { Kick, SchemeFunction, SchemeResult, SchemeState } from './laws/scheme.ts';
-export { type TableLocation, table } from './laws/table.ts';
+export { type TableLocation, type TableParameter, table } from './laws/table.ts';
 export type { VectorOverTime } from './laws/time-vector.ts';
 export { atan2, cos, exp, log, pow, sin } from './math/elementary.ts';
 export { createRandom, type Random } from './math/random.ts';
+export type { Previous } from './memory/previous-pose.ts';
 export { markImmutable, resource } from './memory/resource.ts';
+export type { Scratch } from './memory/scratch.ts';
 export { type Mergers, mergeOnContact, mergers } from './n-body/merge-on-contact.ts';
 export { type MutualCoulombOptions, mutualCoulomb } from './n-body/mutual-coulomb.ts';
 export type {
@@ -255,6 +267,7 @@ export type {
   Integrator,
   Law,
   LocalSystem,
+  Parameter,
   Phases,
   PhysicsWorld,
   Preset,
