@@ -5,7 +5,10 @@ export function textOfBytes(bytes: Uint8Array): string {
   return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
-/** @throws Error where the text is no base64 */
+/**
+ * The bytes of a text that `textOfBytes` made.
+ * @throws Error where the text is no base64
+ */
 export function bytesOfText(text: string): Uint8Array<ArrayBuffer> {
   const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
   return Uint8Array.from(binary, (letter) => letter.charCodeAt(0));

@@ -14,6 +14,7 @@ import { ANY, LENGTH_BOUNDS, POSITION_BOUNDS } from '../forces/support/bounds.ts
 import { pow } from '../math/elementary.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
+/** Options of `explode`. */
 export interface ExplosionOptions {
   /** Position, m; default the origin. */
   readonly centre?: VectorInput;

@@ -59,6 +59,7 @@ export const COMPONENTS = {
   InertiaTensor,
 } as const;
 
+/** The name of a component of the package, such as `Position`. */
 export type ComponentName = keyof typeof COMPONENTS;
 
 /** The type of `world.components`: per component a typed array per field, indexed by entity id. */
@@ -69,6 +70,7 @@ export type Addresses = {
   readonly [Name in ComponentName]: { readonly [Field in keyof Components[Name]]: number };
 };
 
+/** The names of all components of the package, in the order of `COMPONENTS`. */
 export const COMPONENT_NAMES = Object.keys(COMPONENTS) as ComponentName[];
 
 /** Returns a component's name as in `spawn(world, { … })` and in messages: `position` for Position. */

@@ -24,7 +24,11 @@ import { makeWorldLoop, type WorldLoop } from './world-loop.ts';
 /** Length of the step for which forces were last prepared, s. */
 export const preparedFor = namedResource('prepared step', () => ({ dt: 0 }));
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_DESTROYED */
+/**
+ * Sums all forces of a world at a time, s, into `world.scratch.force` and `.torque`, N and N m: for integrators of
+ * your own, and to read forces between steps.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_DESTROYED
+ */
 export const evaluateForces: EvaluateForces = (world, ranges, time) => {
   assertUsable(world);
   if (ranges?.bounds === undefined) throw mustBe('ranges of rows, such as `world.ranges`', ranges, 'ranges');

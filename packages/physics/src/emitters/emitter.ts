@@ -296,7 +296,10 @@ export interface EmitterCounts {
   readonly dropped: number;
 }
 
-/** @throws PhysicsError E_STALE, E_DESTROYED */
+/**
+ * How many particles an emitter has made, has alive and has dropped.
+ * @throws PhysicsError E_STALE, E_DESTROYED
+ */
 export function emitterCounts(emitter: Emitter): EmitterCounts {
   const { words, numbers } = recordOf(emitter);
   return { alive: words[W.alive], born: numbers[N.born], ended: numbers[N.ended], dropped: numbers[N.droppedCount] };

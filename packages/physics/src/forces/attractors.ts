@@ -36,6 +36,7 @@ type Centre = Readonly<Record<(typeof CENTRE_FIELDS)[number], Scalar>>;
 
 const centresOf = namedResource('attractor centres', emptyEntityList);
 
+/** Options of `attractors`. */
 export interface AttractorsOptions {
   /** Speed of light c, m/s, which makes the centres black holes. By default the attraction is Newtonian. */
   readonly lightSpeed?: number;

@@ -79,7 +79,11 @@ const withWaves = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Buoyancy of a fluid, with or without a surface, on spheres and upright boxes: F = -ρ V f g, N, with the immersed
+ * fraction f of the volume V of the `hull`, m³. Archimedes.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function buoyancy(fluidVolume: FluidVolume): Force {
   const { fluid, level, waves } = fluidVolumeValues(fluidVolume, 'buoyancy');
   if (level === undefined) return unbounded(fluid);

@@ -15,6 +15,7 @@ import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE, POSITION_BOUNDS } from './support/bounds.ts';
 import { STANDARD_GRAVITY } from './support/standard-gravity.ts';
 
+/** Options of `corneringGrip`. */
 export interface CorneringGripOptions {
   /** Centre of the bend, m; default the origin. */
   readonly centre?: VectorInput;
@@ -41,7 +42,11 @@ const law = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * The centripetal force that keeps a car on a circle, limited by friction: F = min(m v²/r, μ m g) towards the centre,
+ * N, on every body with mass.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function corneringGrip(options: CorneringGripOptions): Force {
   return law(options);
 }

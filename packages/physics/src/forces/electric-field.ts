@@ -34,6 +34,8 @@ const steadyLaw = /* @__PURE__ */ defineLaw({
 });
 
 /**
+ * A uniform electric field, steady or changing with time: F = q E, N, on every body with `charge`.
+ *
  * @param field E, V/m, or a function of the time, s, that returns it
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */

@@ -22,6 +22,7 @@ import { CENTRE_KEYS, type CentralLaw, type CentreOptions, centralForce } from '
 /** Newton's constant of gravitation, m³/(kg s²): CODATA 2022. */
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
+/** Options of `enclosedMassGravity`. */
 export interface EnclosedMassOptions extends CentreOptions {
   /** Radii, m: positive and strictly increasing. */
   readonly radii: readonly number[];
@@ -35,7 +36,11 @@ export interface EnclosedMassOptions extends CentreOptions {
 const SHELL = ['inner', 'outer', 'mass', 'perMetre'] as const;
 type Shell = Readonly<Record<(typeof SHELL)[number], Scalar>>;
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step, when the world has no room */
+/**
+ * Gravity of a spherical cloud from the mass within each radius: F = -m G M(<r) r/|r|³, N, on every body with mass
+ * (the shell theorem).
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step, when the world has no room
+ */
 export function enclosedMassGravity(options: EnclosedMassOptions): Force {
   checkKeys(options, 'enclosedMassGravity', ['radii', 'masses', 'gravitationalConstant', ...CENTRE_KEYS]);
   const { radii, masses, ...given } = options;

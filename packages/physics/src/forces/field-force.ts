@@ -18,6 +18,7 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 /** Writes the field at (x, y, z) and time t to `out`, which holds zeros. What it returns has no effect. */
 export type Field = (x: number, y: number, z: number, t: number, out: { x: number; y: number; z: number }) => void;
 
+/** Options of `accelerationField` and `forceField`. */
 export interface FieldOptions {
   /**
    * Potential, J/kg (of an acceleration) or J (of a force), at a position; for conservative fields only. Default none:

@@ -51,6 +51,9 @@ const law = /* @__PURE__ */ defineLaw({
 });
 
 /**
+ * The Coulomb force of every body with charge and without mass on those with both: F = k q Q r/|r|³, N. Like charges
+ * repel.
+ *
  * @param constant k, N m²/C²; default 8.9875517862e9, that of the vacuum
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */

@@ -58,7 +58,11 @@ const withWaves = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Drag on the immersed fraction f of a body: F = -f (k |w| + c) w, N, with its quadratic drag k, kg/m, and linear drag
+ * c, kg/s, and its velocity w through the fluid.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function immersedDrag(fluidVolume: FluidVolume): Force {
   const { fluid, level, flow, waves } = fluidVolumeValues(fluidVolume, 'immersedDrag');
   if (level === undefined) return unbounded({ flow });

@@ -14,6 +14,7 @@ import { LENGTH_BOUNDS, NOT_NEGATIVE } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';
 
+/** Options of `lennardJones`. */
 export interface LennardJonesOptions extends CentreOptions {
   /** Depth ε of the well per unit of coupling. */
   readonly depth: number;
@@ -23,7 +24,11 @@ export interface LennardJonesOptions extends CentreOptions {
   readonly couplesTo?: 'Mass' | 'Charge';
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Attraction to a fixed centre at a distance and strong repulsion near it, as between neutral atoms: F = 24 q ε (2
+ * (σ/r)¹² - (σ/r)⁶) r̂/r, N, on bodies with mass or charge q. Lennard-Jones (1931).
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function lennardJones(options: LennardJonesOptions): Force {
   checkKeys(options, 'lennardJones', ['depth', 'diameter', 'couplesTo', ...CENTRE_KEYS]);
   const { couplesTo = 'Mass', ...given } = options;

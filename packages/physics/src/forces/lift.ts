@@ -19,6 +19,7 @@ import { checkFrame } from './support/frame.ts';
 import { unit } from './support/unit-vector.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
+/** Options of `lift`. */
 export interface LiftOptions {
   /** Span axis s; default +z. In 2D it is +z. */
   readonly span?: VectorInput;
@@ -28,7 +29,11 @@ export interface LiftOptions {
   readonly wind?: Wind;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Lift of wings, across the flow and as the square of its speed: F = k |w| (s × w), N, with the coefficient k of
+ * `lift`, kg/m, and the velocity w through the medium. For a wing that stalls see `wing`.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function lift(options: LiftOptions = {}): Force {
   checkKeys(options, 'lift', ['span', 'frame', 'wind']);
   const span = unit(checkVector(options.span ?? { z: 1 }, 'lift.span', { min: -1e12, max: 1e12 }), 'lift.span');

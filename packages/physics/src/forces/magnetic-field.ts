@@ -35,6 +35,9 @@ const law = /* @__PURE__ */ defineLaw({
 });
 
 /**
+ * The magnetic force on charges, in a uniform field, steady or changing with time: F = q v × B, N. It does no work,
+ * but only `boris` keeps the speed exactly.
+ *
  * @param field B, T, or a function of the time, s, that returns it; in 2D only its z acts
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */

@@ -17,6 +17,7 @@ import type { Force } from '../world/types.ts';
 import { NOT_NEGATIVE, POSITIVE } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
+/** Options of `magnus`. */
 export interface MagnusOptions {
   /** Density ρ of the fluid, kg/m³. */
   readonly density: number;

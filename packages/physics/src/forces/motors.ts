@@ -16,6 +16,7 @@ import type { Force } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 import { unit } from './support/unit-vector.ts';
 
+/** Options of `motors`. */
 export interface MotorOptions {
   /** Direction in which bodies at rest start; default +x. */
   readonly heading?: VectorInput;
@@ -35,7 +36,11 @@ const law = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Propulsion at constant power, as of a car at full throttle: F = P/v along the velocity, N, at most the maximum
+ * force, from the component `motor`.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function motors(options: MotorOptions = {}): Force {
   checkKeys(options, 'motors', ['heading']);
   const heading = checkVector(options.heading ?? { x: 1 }, 'motors.heading', POSITION_BOUNDS);

@@ -22,6 +22,7 @@ import {
   inverseWhere,
 } from './support/central-force.ts';
 
+/** Options of `paczynskiWiita`. */
 export interface PaczynskiWiitaOptions extends CentreOptions {
   /** Gravitational parameter μ = G M, m³/s². */
   readonly mu: number;
@@ -49,7 +50,11 @@ const LAW: CentralLaw<typeof parameters> = {
   },
 };
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * The pseudo-Newtonian attraction of a black hole, with its innermost stable orbit at 3 r_s: F = -m μ r̂/(r - r_s)²,
+ * N, on every body with mass. Paczyński and Wiita (1980).
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function paczynskiWiita(options: PaczynskiWiitaOptions): Force {
   checkKeys(options, 'paczynskiWiita', ['mu', 'horizon', ...CENTRE_KEYS]);
   const mu = checkNumber(options.mu, 'paczynskiWiita.mu', POSITIVE);

@@ -13,6 +13,7 @@ import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
 import { ANY } from './support/bounds.ts';
 
+/** Options of `periodicDrive`. */
 export interface PeriodicDriveOptions {
   /** Amplitude A, N; default zero. */
   readonly cosine?: VectorInput;
@@ -38,7 +39,10 @@ const law = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A force that oscillates with time, the same on every body with mass: F = A cos Ωt + B sin Ωt, N.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function periodicDrive(options: PeriodicDriveOptions): Force {
   return law(options);
 }

@@ -27,6 +27,7 @@ import type { Force } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 import { unit } from './support/unit-vector.ts';
 
+/** Options of `planeSupport`. */
 export interface PlaneSupportOptions {
   /** A point of the plane, m; default the origin. */
   readonly point?: VectorInput;
@@ -150,7 +151,11 @@ const law = /* @__PURE__ */ defineLaw({
 
 const KEYS = ['point', 'normal', 'staticFriction', 'kineticFriction', 'gap', 'stickSpeed'];
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A floor or slope on which bodies with a collider stand, slide and roll, without contacts: normal force and dry
+ * friction, N, against the forces listed before it. List it last.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function planeSupport(options: PlaneSupportOptions = {}): Force {
   checkKeys(options, 'planeSupport', KEYS);
   const normal = checkVector(options.normal ?? { y: 1 }, 'planeSupport.normal', POSITION_BOUNDS);

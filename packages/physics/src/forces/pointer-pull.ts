@@ -21,6 +21,7 @@ import { forceMemory } from '../memory/force-memory.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 
+/** Options of `pointerPull`. */
 export interface PointerPullOptions {
   /** Frequency f, Hz; default 2. */
   readonly frequency?: number;
@@ -50,7 +51,11 @@ const NO_BODY = 0 as EntityRef;
 /** The grabbed entity and the target point: one row, or none. */
 const GRAB = ['entity', 'x', 'y', 'z'] as const;
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A damped spring from a body to a point that a pointer or a script moves: F = m ω² (p - r) - 2 ζ m ω v, N, at most
+ * `maxForce`. It acts between `grab` and `release`.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function pointerPull(options: PointerPullOptions = {}): PointerPull {
   const grip = { ref: NO_BODY, x: 0, y: 0, z: 0 };
   // The world of the last grab. Worlds that took the state of one world have equal references.

@@ -27,6 +27,7 @@ import { POSITION_BOUNDS } from './support/bounds.ts';
 import { FLUID, FLUID_VOLUME, type FluidVolume, fluidVolumeValues } from './support/fluid-volume.ts';
 import { WAVES, waveAt } from './support/waves.ts';
 
+/** A hull in two dimensions, by its number and its corners. */
 export interface PolygonHull {
   /** Number of this polygon in `hull: { volume, shape }` of a body; 2 or more. */
   readonly shape: number;
@@ -208,7 +209,11 @@ function withWaves({ of, release }: ForceMemory<TableLocation>) {
   });
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Buoyancy on a polygonal hull in 2D, at the centroid of its immersed part, so that it rights or capsizes the body: F
+ * = -ρ V (A'/A) g, N, and τ = r_B × F, N m.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function polygonBuoyancy(fluidVolume: FluidVolume, hull: PolygonHull): Force {
   const { fluid, level, waves } = fluidVolumeValues(fluidVolume, 'polygonBuoyancy');
   checkKeys(hull, 'polygonBuoyancy', ['shape', 'vertices']);

@@ -24,7 +24,11 @@ export interface PostNewtonianOptions {
   readonly speedOfLight?: number;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * The first post-Newtonian correction to the gravity of a dominant body, which advances perihelia: F = m μ/(c² r³) [(4
+ * μ/r - v²) r + 4 (r·v) v], N. List the Newtonian attraction, too.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function postNewtonian(options: PostNewtonianOptions): Force {
   checkKeys(options, 'postNewtonian', ['central', 'G', 'speedOfLight']);
   const central = checkNumber(options.central, 'central', { min: 1, integer: true });

@@ -19,6 +19,7 @@ import { ANY } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';
 
+/** Options of `powerLaw`. */
 export interface PowerLawOptions extends CentreOptions {
   /** Force k per unit of coupling at a distance of one metre; negative attracts. */
   readonly strength: number;
@@ -32,7 +33,11 @@ export interface PowerLawOptions extends CentreOptions {
 
 const EXPONENTS = { min: -100, max: 100 };
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A central force proportional to a power of the distance: F = q k rⁿ r̂, N, on bodies with mass or charge q; n = 1 is
+ * a spring, n = -2 gravity.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function powerLaw(options: PowerLawOptions): Force {
   checkKeys(options, 'powerLaw', ['strength', 'exponent', 'innerRadius', 'couplesTo', ...CENTRE_KEYS]);
   const { couplesTo = 'Mass', ...given } = options;

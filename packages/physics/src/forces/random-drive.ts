@@ -22,6 +22,7 @@ import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Force, PhysicsWorld } from '../world/types.ts';
 import { NOT_NEGATIVE } from './support/bounds.ts';
 
+/** Options of `randomDrive`. */
 export interface RandomDriveOptions {
   /** Spectral density S per axis, N² s; a number applies to all axes. */
   readonly spectralDensity: number | VectorInput;
@@ -29,7 +30,11 @@ export interface RandomDriveOptions {
   readonly seed?: number;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * White noise on every body with mass, drawn anew each step: F = √(S/dt) N(0, 1) on each axis, N, whose effect does
+ * not depend on the step. With linear drag it is Brownian motion.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function randomDrive(options: RandomDriveOptions): Force {
   checkKeys(options, 'randomDrive', ['spectralDensity', 'seed']);
   const { spectralDensity: given, seed } = options;

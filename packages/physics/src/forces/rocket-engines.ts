@@ -25,6 +25,7 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 import { forceKernels } from './support/force-kernels.ts';
 import { checkFrame } from './support/frame.ts';
 
+/** Options of `rocketEngines`. */
 export interface RocketOptions {
   /** Whether engines push along axes of the world or, by default, of the body. */
   readonly frame?: 'world' | 'body';
@@ -49,7 +50,11 @@ const ofBody = /* @__PURE__ */ defineLaw({
   force: ({ engine: { thrustX, thrustY, thrustZ }, rotate }) => rotate(vec3(thrustX, thrustY, thrustZ)),
 });
 
-/** @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN */
+/**
+ * Rocket engines: thrust F = v_e μ n, N, from mass that they expel, dm/dt = -μ, kg/s, by the component `engine`. Δv is
+ * that of Tsiolkovsky.
+ * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN
+ */
 export function rocketEngines(options: RocketOptions = {}): Force {
   checkKeys(options, 'rocketEngines', ['frame']);
   const frame = checkFrame(options.frame ?? 'body', 'rocketEngines.frame');

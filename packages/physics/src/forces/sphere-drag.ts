@@ -20,6 +20,7 @@ import type { Force } from '../world/types.ts';
 import { POSITIVE } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
+/** The fluid of `sphereDrag`. */
 export interface FluidOptions {
   /** Density ρ, kg/m³: air 1.2, water 1000. */
   readonly density: number;
@@ -51,7 +52,11 @@ const law = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Drag of spheres in a fluid of known density and viscosity: F = -½ ρ C_d(Re) π r² |w| w, N, from Stokes' law up to Re
+ * = 3·10⁵. Clift and Gauvin (1970).
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function sphereDrag(options: FluidOptions): Force {
   return law(options);
 }

@@ -27,6 +27,7 @@ import { scalar, vector } from '../laws/parameter.ts';
 import type { Force } from '../world/types.ts';
 import { LENGTH_BOUNDS, POSITION_BOUNDS } from './support/bounds.ts';
 
+/** Options of `stringTension`. */
 export interface StringOptions {
   /** Position of the pivot, m; default the origin. */
   readonly pivot?: VectorInput;
@@ -62,7 +63,11 @@ const law = /* @__PURE__ */ defineLaw({
   },
 });
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * The tension of an inextensible string from a fixed pivot, a pendulum: along the string, N, against the forces listed
+ * before it. List it last.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function stringTension(options: StringOptions): Force {
   return law(options);
 }

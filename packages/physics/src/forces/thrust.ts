@@ -15,6 +15,7 @@ import type { Force } from '../world/types.ts';
 import { POSITION_BOUNDS } from './support/bounds.ts';
 import { checkFrame } from './support/frame.ts';
 
+/** Options of `thrust`. */
 export interface ThrustOptions {
   /** Whether the vector is in axes of the world (default) or of the body. */
   readonly frame?: 'world' | 'body';
@@ -22,7 +23,11 @@ export interface ThrustOptions {
   readonly point?: VectorInput;
 }
 
-/** @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN */
+/**
+ * A steady force on each body, from the component `thrust`, N: jets, oars, a rudder. In the axes of the world or of
+ * the body, where it may act at a point.
+ * @throws PhysicsError E_TYPE, E_RANGE, E_UNKNOWN
+ */
 export function thrust(options: ThrustOptions = {}): Force {
   checkKeys(options, 'thrust', ['frame', 'point']);
   const frame = checkFrame(options.frame ?? 'world', 'thrust.frame');

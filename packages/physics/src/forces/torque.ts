@@ -57,12 +57,15 @@ const dragLaw = /* @__PURE__ */ defineLaw({
   torque: ({ angularVelocity, k }) => angularVelocity.mul(k).negate(),
 });
 
+/** Options of `constantTorque`. */
 export interface ConstantTorqueOptions {
   /** Whether the torque is in axes of the world (default) or of the body, as that of thrusters. */
   readonly frame?: 'world' | 'body';
 }
 
 /**
+ * A constant torque, N m, on every body that can rotate, in the axes of the world or of the body.
+ *
  * @param torque T, N m; in 2D its z
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
  */

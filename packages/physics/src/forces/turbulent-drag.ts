@@ -26,6 +26,7 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 import { LENGTH_BOUNDS } from './support/bounds.ts';
 import { type Wind, windParameter } from './support/wind.ts';
 
+/** Options of `turbulentDrag`. */
 export interface TurbulenceOptions {
   /** Mean wind, m/s; default zero. */
   readonly mean?: Wind;
@@ -47,7 +48,11 @@ export interface TurbulenceOptions {
 const MODE = ['kx', 'ky', 'kz', 'ax', 'ay', 'az', 'phase', 'frequency'] as const;
 type Mode = Readonly<Record<(typeof MODE)[number], Scalar>>;
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room */
+/**
+ * Drag in turbulent wind, with eddies of many sizes that drift and change: F = -(c + k |w|) w, N, with the linear and
+ * quadratic drag of each body and its velocity w through the wind. Kraichnan (1970).
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; E_CAPACITY from a step when the world has no room
+ */
 export function turbulentDrag(options: TurbulenceOptions): Force {
   checkKeys(options, 'turbulentDrag', ['mean', 'deviation', 'largest', 'smallest', 'time', 'modes', 'seed']);
   const spectrum = checkSpectrum(options);

@@ -13,6 +13,7 @@ import type { Force } from '../world/types.ts';
 import { ANY, LENGTH_BOUNDS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
+/** Options of `uniformSphereGravity`. */
 export interface UniformSphereOptions extends CentreOptions {
   /** Gravitational parameter μ = G M, m³/s². */
   readonly mu: number;
@@ -39,7 +40,11 @@ const LAW: CentralLaw<typeof parameters> = {
   },
 };
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Gravity inside and outside a uniform sphere, such as a planet with a tunnel: F = -m μ r/max(|r|, R)³, N, on every
+ * body with mass.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function uniformSphereGravity(options: UniformSphereOptions): Force {
   return centralForce(LAW, 'Mass', options);
 }

@@ -16,6 +16,7 @@ import type { Force } from '../world/types.ts';
 import { ANY, LENGTH_BOUNDS } from './support/bounds.ts';
 import { type CentralLaw, type CentreOptions, centralForce } from './support/central-force.ts';
 
+/** Options of `vortex`. */
 export interface VortexOptions extends CentreOptions {
   /** Strength k, 1/s². */
   readonly strength: number;
@@ -42,7 +43,11 @@ const LAW: CentralLaw<typeof parameters> = {
   },
 };
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A vortex that pushes bodies out of its core, F = m k r, N, and draws in those outside, F = -m k (r₀/r)⁴ r: they
+ * gather on its rim.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function vortex(options: VortexOptions): Force {
   return centralForce(LAW, 'Mass', options);
 }

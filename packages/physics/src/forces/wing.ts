@@ -44,6 +44,7 @@ export interface WingDeflection {
   readonly effectiveness?: number;
 }
 
+/** Options of `wing`. */
 export interface WingOptions {
   /** Area A, m². */
   readonly area: number;
@@ -74,7 +75,11 @@ const SEA_LEVEL_DENSITY = 1.225;
 const ANGLE = { min: -4, max: 4 };
 const DIRECTION = { min: -1e12, max: 1e12 };
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A wing, a tail or a fin: lift and drag by the angle of attack, N, with stall and control surfaces, at a point of the
+ * body, and so torques.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function wing(options: WingOptions): Force {
   checkKeys(options, 'wing', KEYS);
   const span = unit(checkVector(options.span ?? { z: 1 }, 'wing.span', DIRECTION), 'wing.span');

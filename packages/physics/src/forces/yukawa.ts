@@ -14,6 +14,7 @@ import { ANY, LENGTH_BOUNDS } from './support/bounds.ts';
 import { CENTRE_KEYS, type CentreOptions, centralForce, inverseWhere } from './support/central-force.ts';
 import { checkCoupling } from './support/coupling.ts';
 
+/** Options of `yukawa`. */
 export interface YukawaOptions extends CentreOptions {
   /** Strength k; negative attracts. */
   readonly strength: number;
@@ -23,7 +24,11 @@ export interface YukawaOptions extends CentreOptions {
   readonly couplesTo?: 'Mass' | 'Charge';
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * A screened central force: F = q k e^(-r/λ) (1/r + 1/λ) r̂/r, N, on bodies with charge or mass q; negligible beyond
+ * some screening lengths λ.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function yukawa(options: YukawaOptions): Force {
   checkKeys(options, 'yukawa', ['strength', 'range', 'couplesTo', ...CENTRE_KEYS]);
   const { couplesTo = 'Charge', ...given } = options;

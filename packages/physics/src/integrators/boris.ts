@@ -31,7 +31,11 @@ export interface BorisOptions {
   readonly fieldAt?: (position: Vector, time: Scalar) => Vector;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Boris's scheme for charges in a magnetic field, which turns their velocities exactly about it: no field changes the
+ * speed. Second order, one force evaluation. Leave `magneticField` out of the forces.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function boris(options: BorisOptions): Integrator {
   checkKeys(options, 'boris', ['field', 'fieldAt']);
   const { field, fieldAt } = options;

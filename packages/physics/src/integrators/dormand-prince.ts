@@ -73,7 +73,11 @@ interface Limits {
   readonly maxEvaluations: number | undefined;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Dormand and Prince's Runge-Kutta pair of orders 5 and 4, which takes sub-steps within each step until their error is
+ * below `tolerance`. For forces whose time scale varies, also those that depend on velocity.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function dormandPrince(options: DormandPrinceOptions = {}): Integrator {
   checkKeys(options, 'dormandPrince', ['tolerance', 'positionFloor', 'velocityFloor', 'maxEvaluations']);
   const { tolerance = 1e-9, positionFloor = 0, velocityFloor = 0 } = options;

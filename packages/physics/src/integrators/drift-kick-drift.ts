@@ -11,6 +11,10 @@ import { defineIntegrator } from './support/define-integrator.ts';
 const DRIFTS = [1 / 2, 1 / 2];
 const KICKS = [1];
 
+/**
+ * Leapfrog as drift, kick, drift: of second order, symplectic and reversible for forces that depend on position alone,
+ * for one force evaluation a step. First order where a force depends on velocity.
+ */
 export const driftKickDrift = /* @__PURE__ */ defineIntegrator(
   {
     name: 'drift-kick-drift',

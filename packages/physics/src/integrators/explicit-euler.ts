@@ -7,6 +7,10 @@
 // Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, I.7.
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * Explicit Euler: x' = x + v dt, v' = v + F(x, v, t)/m dt. First order, and the energy of oscillators and orbits grows
+ * without bound: for comparison.
+ */
 export const explicitEuler = /* @__PURE__ */ defineIntegrator(
   {
     name: 'explicit Euler',

@@ -92,7 +92,11 @@ const MIN_RATIO = 0.25;
 /** Maximum growth factor from one sub-step to the next. */
 const MAX_GROWTH = 4;
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * The Gauss-Radau scheme of order 15 with sub-steps of its own: reference accuracy for orbits, close encounters and
+ * tests of other schemes, with forces that are smooth.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function gaussRadau(options: GaussRadauOptions = {}): Integrator {
   checkKeys(options, 'gaussRadau', ['tolerance', 'maxEvaluations']);
   const tolerance = checkNumber(options.tolerance ?? 1e-9, 'tolerance', { min: 1e-12, max: 1e9 });

@@ -8,6 +8,10 @@
 // Ordinary Differential Equations I, II.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * Heun's method: the mean of the derivatives at the start and at the predicted end of the step. Second order for any
+ * smooth force, two evaluations, not symplectic.
+ */
 export const heun = /* @__PURE__ */ defineIntegrator(
   {
     name: 'Heun',

@@ -46,7 +46,11 @@ const MAX_NEWTON_STEPS = 100;
 /** Maximum number of halvings of a Newton step that increases the residual. */
 const MAX_HALVINGS = 20;
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * Implicit Euler, solved by Newton's method: v' = v + F(x', v', t')/m dt, x' = x + v' dt. First order, stable for
+ * springs of any stiffness, and damps what is faster than the step.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function implicitEuler(options: ImplicitEulerOptions = {}): Integrator {
   checkKeys(options, 'implicitEuler', ['tolerance']);
   const tolerance = checkNumber(options.tolerance ?? 1e-10, 'tolerance', { min: 1e-14, max: 0.1 });

@@ -9,6 +9,10 @@
 import { isStableComposition } from './support/composition.ts';
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * Leapfrog as kick, drift, kick: of second order, symplectic and reversible for forces that depend on position alone,
+ * two evaluations a step. First order where a force depends on velocity.
+ */
 export const leapfrog = /* @__PURE__ */ defineIntegrator(
   {
     name: 'leapfrog',

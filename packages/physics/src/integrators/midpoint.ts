@@ -7,6 +7,10 @@
 // Ordinary Differential Equations I, II.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * The explicit midpoint rule: the derivative in the predicted middle of the step. Second order for any smooth force,
+ * two evaluations, not symplectic.
+ */
 export const midpoint = /* @__PURE__ */ defineIntegrator(
   {
     name: 'midpoint',

@@ -8,6 +8,10 @@
 // Wanner: Geometric Numerical Integration, I.1.2 and VI.3.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * Semi-implicit Euler, position first: x' = x + v dt, v' = v + F(x', v, t')/m dt. First order, symplectic, one
+ * evaluation.
+ */
 export const positionFirstEuler = /* @__PURE__ */ defineIntegrator(
   {
     name: 'position-first Euler',

@@ -16,6 +16,10 @@ import { defineIntegrator } from './support/define-integrator.ts';
 
 const AXES = ['x', 'y', 'z'] as const;
 
+/**
+ * Störmer's method: each position follows from the two before it. Second order and symplectic with equal steps, one
+ * evaluation; a body that is moved or kicked between steps starts anew.
+ */
 export const positionVerlet = /* @__PURE__ */ defineIntegrator(
   {
     name: 'position Verlet',

@@ -5,6 +5,10 @@
 // Solving Ordinary Differential Equations I, II.1.
 import { defineIntegrator } from './support/define-integrator.ts';
 
+/**
+ * The classical Runge-Kutta method of fourth order, with any smooth force and four evaluations a step. Not symplectic:
+ * for accuracy over few periods.
+ */
 export const rungeKutta4 = /* @__PURE__ */ defineIntegrator(
   {
     name: 'Runge-Kutta 4',

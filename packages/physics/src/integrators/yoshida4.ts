@@ -13,6 +13,10 @@ const CUBE_ROOT_OF_2 = 1.2599210498948732;
 const W = 1 / (2 - CUBE_ROOT_OF_2);
 const { drifts, kicks } = composeLengths([W, 1 - 2 * W, W]);
 
+/**
+ * Yoshida's composition of fourth order: symplectic and reversible for forces that depend on position alone, three
+ * evaluations a step. For orbits over very many periods; first order where a force depends on velocity.
+ */
 export const yoshida4 = /* @__PURE__ */ defineIntegrator(
   {
     name: 'Yoshida 4',

@@ -14,6 +14,11 @@ const W3 = 0.7845136104775573;
 const W0 = 1 - 2 * (W1 + W2 + W3);
 const { drifts, kicks } = composeLengths([W3, W2, W1, W0, W1, W2, W3]);
 
+/**
+ * Yoshida's composition of sixth order: symplectic and reversible for forces that depend on position alone, seven
+ * evaluations a step. For orbits over very many periods with a small error; first order where a force depends on
+ * velocity.
+ */
 export const yoshida6 = /* @__PURE__ */ defineIntegrator(
   {
     name: 'Yoshida 6',

@@ -8,6 +8,7 @@ import {
   type JointOptions,
 } from './joint-input.ts';
 
+/** Options of `distance`. */
 export interface DistanceOptions extends JointOptions {
   /** Point of a, m, in world coordinates; default its centre, and where b is held to the world the point of b. */
   readonly anchorA?: VectorInput;

@@ -1,5 +1,6 @@
 import { describeJoint, type JointInput } from './joint-input.ts';
 
+/** Options of `filterJoint`. */
 export interface FilterJointOptions {
   /** The first body, by id. */
   readonly a: number;

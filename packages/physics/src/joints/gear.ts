@@ -1,6 +1,7 @@
 import type { VectorInput } from '../errors/validate.ts';
 import { describeJoint, type EveryJointOptions, type JointInput } from './joint-input.ts';
 
+/** Options of `gear`. */
 export interface GearOptions extends EveryJointOptions {
   /** The first body, by id: the pinion of a rack. */
   readonly a: number;

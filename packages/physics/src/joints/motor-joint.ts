@@ -7,6 +7,7 @@ import {
   type JointSpring,
 } from './joint-input.ts';
 
+/** Options of `motorJoint`. */
 export interface MotorJointOptions extends JointOptions {
   /** Point of b that is driven, m, in world coordinates; default its centre. */
   readonly anchor?: VectorInput;
@@ -35,6 +36,7 @@ export function motorJoint(options: MotorJointOptions): JointInput {
   return describeJoint('motorJoint', filled, names);
 }
 
+/** Options of `mouseJoint`. */
 export interface MouseJointOptions extends EveryJointOptions {
   /** Point of b that is pulled, m, in world coordinates; default its centre. */
   readonly anchor?: VectorInput;

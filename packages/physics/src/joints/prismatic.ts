@@ -8,6 +8,7 @@ import {
   type JointSpring,
 } from './joint-input.ts';
 
+/** Options of `prismatic`. */
 export interface PrismaticOptions extends JointOptions {
   /** Point of b that slides, m, in world coordinates. */
   readonly anchor: VectorInput;

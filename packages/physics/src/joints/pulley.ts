@@ -1,6 +1,7 @@
 import type { VectorInput } from '../errors/validate.ts';
 import { describeJoint, type EveryJointOptions, type JointInput } from './joint-input.ts';
 
+/** Options of `pulley`. */
 export interface PulleyOptions extends EveryJointOptions {
   /** The first body, by id. */
   readonly a: number;

@@ -8,6 +8,7 @@ import {
   type JointSpring,
 } from './joint-input.ts';
 
+/** Options of `revolute`. */
 export interface RevoluteOptions extends JointOptions {
   /** Point about which the bodies turn, m, in world coordinates. */
   readonly anchor: VectorInput;

@@ -1,6 +1,7 @@
 import type { VectorInput } from '../errors/validate.ts';
 import { describeJoint, type JointInput, type JointOptions, type JointSpring } from './joint-input.ts';
 
+/** Options of `weld`. */
 export interface WeldOptions extends JointOptions {
   /** Point at which the bodies are joined, m, in world coordinates. */
   readonly anchor: VectorInput;

@@ -8,6 +8,7 @@ import {
   type JointSpring,
 } from './joint-input.ts';
 
+/** Options of `wheel`. */
 export interface WheelOptions extends JointOptions {
   /** Axle of the wheel b, m, in world coordinates. */
   readonly anchor: VectorInput;

@@ -3,6 +3,7 @@ import { compileBytes } from './compile-bytes.ts';
 import { KERNELS, type KernelExports } from './core.gen.ts';
 import { decodeHex, type EmbeddedModule } from './decode.ts';
 
+/** Precision of all columns of a world: single or double. */
 export type Precision = 'f32' | 'f64';
 export type { KernelExports };
 

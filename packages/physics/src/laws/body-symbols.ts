@@ -57,7 +57,9 @@ export type ReadSymbol<Spec> = Spec extends { readonly fields: infer Fields }
       : Scalar
   : never;
 
+/** The components that a law reads, by names of your choice. */
 export type Reads = Readonly<Record<string, ComponentSpec>>;
+/** The symbols of the components that a law reads, by the names it gave them. */
 export type ReadSymbols<R> = { readonly [Key in keyof R]: ReadSymbol<R[Key]> };
 
 /** Largest index of a noise channel. */

@@ -24,6 +24,7 @@ export interface SchemeState {
   readonly memory: readonly Vector[];
 }
 
+/** What a scheme returns: the state at the end of the step. */
 export interface SchemeResult {
   readonly position: Vector;
   readonly velocity: Vector;

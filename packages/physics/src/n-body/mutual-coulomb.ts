@@ -14,6 +14,7 @@ import { checkNumber } from '../errors/validate.ts';
 import { COULOMB_CONSTANT } from '../forces/fixed-charges.ts';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';
 
+/** Options of `mutualCoulomb`. */
 export interface MutualCoulombOptions extends MutualOptions {
   /** Default 8.9875517862e9 N m²/C². */
   readonly k?: number;

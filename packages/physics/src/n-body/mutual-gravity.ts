@@ -18,6 +18,7 @@ import { checkNumber } from '../errors/validate.ts';
 import { GRAVITATIONAL_CONSTANT } from '../forces/enclosed-mass-gravity.ts';
 import { checkMutualOptions, createMutualForce, type MutualForce, type MutualOptions } from './mutual-force.ts';
 
+/** Options of `mutualGravity`. */
 export interface MutualGravityOptions extends MutualOptions {
   /** Default 6.6743e-11 N m²/kg². */
   readonly G?: number;

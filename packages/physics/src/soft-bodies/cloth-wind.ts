@@ -25,6 +25,7 @@ import { type Faces, facesOf, stateOfFaces } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
 import { dropTornFaces } from './threads.ts';
 
+/** Options of `clothWind`. */
 export interface ClothWindOptions {
   /** Entity ids of the corners of the triangles, three each: `cloth.triangles`. Give that list itself, no copy of it. */
   readonly triangles: ArrayLike<number>;
@@ -38,7 +39,11 @@ export interface ClothWindOptions {
   readonly tangential?: number;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; in a step of a 2D world E_RANGE */
+/**
+ * Wind on a cloth, triangle by triangle: F = ρ A |u| (c_n (u·n) n + c_t (u - (u·n) n))/2, N, with the wind u past the
+ * triangle. 3D only.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN; in a step of a 2D world E_RANGE
+ */
 export function clothWind(options: ClothWindOptions): Force {
   checkKeys(options, 'clothWind', ['triangles', 'velocity', 'density', 'normal', 'tangential']);
   const density = checkNumber(options.density ?? 1.2, 'clothWind.density', { min: 0, max: 1e6 });

@@ -27,6 +27,7 @@ import {
 } from './network.ts';
 import { markWoven } from './woven.ts';
 
+/** Options of `createCloth`. */
 export interface ClothOptions extends SpringOptions {
   /** Position of the node of column 0 and row 0, m. */
   readonly corner: VectorInput;

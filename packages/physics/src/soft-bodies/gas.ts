@@ -23,6 +23,7 @@ import type { Force, PhysicsWorld } from '../world/types.ts';
 import { areGone, facesOf, stateOfFaces } from './faces.ts';
 import { softBodyKernels } from './kernels.ts';
 
+/** Options of `enclosedGas`. */
 export interface GasOptions {
   /**
    * Entity ids of the corners of the faces: two per edge in 2D, three per triangle in 3D. The outside is to the
@@ -39,7 +40,11 @@ export interface GasOptions {
   readonly reference?: number;
 }
 
-/** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */
+/**
+ * An ideal gas at constant temperature within a closed surface of springs, which pushes every face outwards: F = (G/V
+ * - p_a) ∂V/∂x, N.
+ * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN
+ */
 export function enclosedGas(options: GasOptions): Force {
   checkKeys(options, 'enclosedGas', ['faces', 'corners', 'amount', 'ambient', 'reference']);
   const corners = checkWhole(options.corners, 'enclosedGas.corners', 2, 3) as 2 | 3;

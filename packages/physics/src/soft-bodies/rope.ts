@@ -21,6 +21,7 @@ import {
   spawnNetwork,
 } from './network.ts';
 
+/** Options of `createRope`. */
 export interface RopeOptions extends SpringOptions {
   /** Positions of the first and last node, m. */
   readonly from: VectorInput;

@@ -16,6 +16,7 @@ import {
   spawnNetwork,
 } from './network.ts';
 
+/** Options of `createSoftBody`. */
 export interface SoftBodyOptions extends SpringOptions {
   /** Position of the centre, m. */
   readonly centre: VectorInput;

@@ -16,7 +16,9 @@ export interface EventMap {
   fault: Fault;
 }
 
+/** The name of an event that `on` takes. */
 export type EventName = keyof EventMap;
+/** A function that is called for each event of a kind, in the last phase of the step. */
 export type Handler<Name extends EventName> = (event: EventMap[Name], world: PhysicsWorld) => void;
 
 interface Listener<Name extends EventName> {

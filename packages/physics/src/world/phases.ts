@@ -18,4 +18,5 @@ export const PHASES = [
   'events',
 ] as const;
 
+/** The name of a phase of the step. */
 export type Phase = (typeof PHASES)[number];

@@ -34,7 +34,7 @@ export interface Parameter<Input = unknown> {
   readonly overTime: boolean;
   /** Default value; a parameter without a default is required. */
   readonly byDefault: Input | undefined;
-  /** Writes a value that the law itself supplies, not its options, such as an entity or a table address. */
+  /** Writes a value that the law itself supplies, not its options, such as an entity or a table address. Default none. */
   readonly supply?: ((world: PhysicsWorld, into: Float64Array, at: number) => void) | undefined;
 }
 
@@ -200,15 +200,15 @@ export interface LocalSystem {
   /** Role next to the integrator, which may fuse it into its loop: see docs/step.md. Default none: it runs by itself. */
   readonly role?: 'begin' | 'integrate' | 'rotate' | 'box' | 'check';
   /**
-   * For systems of the `collide` phase: what it reads of other bodies beside position and velocity, as components or as
-   * columns such as 'Collider.radius'. Every step checks these columns, so that a bad value of one body reaches no other.
-   * Default all by which bodies act on others.
+   * For systems of the `collide` phase: what it reads of other bodies beside position and velocity, as components or as columns such as
+   * 'Collider.radius'. Every step checks these, so that a bad value of one body reaches no other. Default all by which bodies act on others.
    */
   readonly readsOfOthers?: readonly (ComponentName | `${ComponentName}.${string}`)[];
   /** The component of the entities that it handles: it is left out while there are none. Default none: it always runs. */
   readonly handles?: ComponentName;
 }
 
+/** A function that a phase of the step calls, for the whole world or for ranges of bodies. */
 export type System = GlobalSystem | LocalSystem;
 
 /** The systems of a world. Push yours to a phase; the change takes effect at the next step. */

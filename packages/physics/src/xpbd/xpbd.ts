@@ -44,6 +44,7 @@ import type { EvaluateForces, Integrator, PhysicsWorld, Ranges } from '../world/
 import { type ConstraintTable, constraintTable, currentConstraints, refreshConstraints } from './constraint-table.ts';
 import { constraintKernels } from './kernels.ts';
 
+/** Options of `xpbd`. */
 export interface XpbdOptions {
   /** Sub-steps per step; default 1. Error and numerical damping decrease with their number. */
   readonly substeps?: number;

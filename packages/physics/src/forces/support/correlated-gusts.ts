@@ -15,6 +15,7 @@ import { exp } from '../../math/elementary.ts';
 import { createRandom, seedWords } from '../../math/random.ts';
 import { LENGTH_BOUNDS, VELOCITY_BOUNDS } from './bounds.ts';
 
+/** Options of `correlatedGusts`. */
 export interface CorrelatedGustOptions {
   /** Mean wind, m/s; default zero. */
   readonly mean?: VectorInput;

@@ -22,6 +22,7 @@ interface Ball {
 /** A component of the package by its name, one of your own by its definition. */
 type GroupComponent = ComponentName | ComponentSpec;
 
+/** Where, when and on which bodies a force of `restrictForce` acts. */
 export interface Restrictions {
   /**
    * Only bodies with this component, or with all of these: names such as 'Charge', or components that `defineComponent`

@@ -3,7 +3,7 @@ import { makeShape } from './make-shape.ts';
 import type { Shape } from './shape.ts';
 
 /**
- * A disc.
+ * The shape of a disc about the centre of its body.
  * @param radius m, 1e-5 to 1e6
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE
  */
