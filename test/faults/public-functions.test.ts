@@ -88,6 +88,11 @@ describe('arguments', () => {
     });
     assertRefused(world, () => spawn(world, { position: 5 } as never), { code: 'E_TYPE', field: 'position' });
     assertRefused(world, () => spawn(world, { mass: 'heavy' } as never), { code: 'E_TYPE', field: 'mass' });
+    assertRefused(world, () => spawn(world, { position: {}, kinematic: true } as never), {
+      code: 'E_TYPE',
+      field: 'kinematic',
+      hint: /write kinematic: \{\}/,
+    });
     assertWorldAlive(world);
   });
 

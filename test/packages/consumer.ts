@@ -23,7 +23,7 @@ const world: PhysicsWorld = createPhysicsWorld({
   precision: 'f32',
   forces: [uniformGravity({ y: -1 })],
 });
-const ball: number = spawn(world, { position: { x: 1 }, mass: 2, collider: { radius: 0.5 } });
+const ball: number = spawn(world, { position: { x: 1 }, mass: 2, collider: { radius: 0.5 }, testParticle: {} });
 const speed: number = world.components.Velocity.x[ball];
 const inertia: number = discInertia(2, 0.5);
 export const numbers: number[] = [speed, inertia];
@@ -33,6 +33,8 @@ createPhysicsWorld({ nonsense: true });
 createPhysicsWorld({ dimensions: 4 });
 // @ts-expect-error: a position has no such axis
 spawn(world, { position: { w: 1 } });
+// @ts-expect-error: a mark has no value
+spawn(world, { position: {}, testParticle: true });
 // @ts-expect-error: a law is an object that says what it computes
 defineLaw(5);
 

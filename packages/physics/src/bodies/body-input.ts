@@ -2,7 +2,11 @@
 import type { COMPONENTS, ComponentName } from '../components/all.ts';
 import type { ShapeInput } from './collider-shape.ts';
 
-type FieldsOf<Name extends ComponentName> = {
+type FieldsOf<Name extends ComponentName> = keyof (typeof COMPONENTS)[Name]['fields'] extends never
+  ? Record<string, never>
+  : ValuesOf<Name>;
+
+type ValuesOf<Name extends ComponentName> = {
   readonly [F in keyof (typeof COMPONENTS)[Name]['fields']]?: (typeof COMPONENTS)[Name]['fields'][F] extends {
     readonly isFlag: true;
   }

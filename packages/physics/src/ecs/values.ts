@@ -115,8 +115,10 @@ function normalise(name: ComponentName, data: unknown, entity: number | undefine
   const { scalar, fields }: ComponentSpec = COMPONENTS[name];
   if (isRecord(data)) return isPlain(data) ? data : withAccessors(data, Object.keys(fields));
   if (scalar !== undefined && typeof data === 'number') return { [scalar]: data };
-  const expected = `${scalar ? 'a number or ' : ''}{ ${Object.keys(fields).join(', ')} }`;
-  throw mustBe(expected, data, keyOf(name), 'E_TYPE', entity);
+  const names = Object.keys(fields).join(', ');
+  const expected = names && `${scalar ? 'a number or ' : ''}{ ${names} }`;
+  const hint = names ? undefined : `It has no values: write ${keyOf(name)}: {}.`;
+  throw mustBe(expected || '{}', data, keyOf(name), 'E_TYPE', entity, hint);
 }
 
 function isPlain(data: object): boolean {
