@@ -35,7 +35,7 @@ export { COMBINE } from './components/collider.ts';
 export {
   type ColumnsOf,
   type ComponentSpec,
-  defineComponent,
+  defineCheckedComponent as defineComponent,
   type FieldSpec,
   type RealColumn,
   real as realField,

@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import { type Bounds, checkKeys, isRecord } from '../errors/validate.ts';
+import { type Bounds, checkKeys, isRecord, mustBe, unknownName } from '../errors/validate.ts';
 
 /** A column of real numbers: f32 or f64 according to the world's precision. */
 export type RealColumn = Float32Array | Float64Array;
@@ -110,5 +110,26 @@ export function isComponent(value: unknown): value is ComponentSpec {
 
 /** Declares a component; its columns are made per world. */
 export function defineComponent<const Spec extends ComponentSpec<Record<string, FieldSpec>>>(spec: Spec): Spec {
+  return spec;
+}
+
+/** Refuses the keys that a component does not have, and as `scalar` what is none of its fields. */
+type Checked<Spec extends ComponentSpec> = {
+  readonly [Key in keyof Spec]: Key extends keyof ComponentSpec ? Spec[Key] : never;
+} & { readonly scalar?: (keyof Spec['fields'] & string) | undefined };
+
+/**
+ * Declares a component of your own: its fields by `realField` and `wordField`, and as `scalar` the field that a plain number sets. Its columns
+ * are made for each world that lists it in `components`; `columnsOf` gives them.
+ * @throws PhysicsError E_TYPE; E_UNKNOWN for an option that does not exist and for a `scalar` that is no field
+ */
+export function defineCheckedComponent<const Spec extends ComponentSpec<Record<string, FieldSpec>>>(
+  spec: Spec & Checked<Spec>,
+): Spec {
+  checkKeys(spec, 'defineComponent', ['fields', 'scalar', 'visual', 'complete']);
+  const { fields, scalar }: ComponentSpec = spec;
+  if (!isRecord(fields)) throw mustBe('an object with a field for each column', fields, 'defineComponent.fields');
+  if (scalar !== undefined && !Object.hasOwn(fields, scalar))
+    throw unknownName('the component', 'field', scalar, Object.keys(fields));
   return spec;
 }

@@ -54,6 +54,20 @@ describe('a component of a user', () => {
     expect(made({ v: 0 })).toThrow('realField or wordField');
   });
 
+  it('has no options beside those that exist, and no scalar that is none of its fields', () => {
+    const fields = { area: realField('m²') };
+    expect(() => defineComponent({ fields, scalar: 'area' })).not.toThrow();
+    // @ts-expect-error: no such option
+    expect(() => defineComponent({ fields, scaler: 'area' })).toThrow('has no option "scaler"');
+    // @ts-expect-error: no such field
+    expect(() => defineComponent({ fields, scalar: 'b' })).toThrow('the component has no field "b"');
+    // @ts-expect-error: no field at all
+    expect(() => defineComponent({ fields: {}, scalar: 'b' })).toThrow('E_UNKNOWN');
+    // @ts-expect-error: fields have names
+    expect(() => defineComponent({ fields: 5 })).toThrow('E_TYPE');
+    expect(() => defineComponent(undefined as never)).toThrow('E_TYPE');
+  });
+
   it('is none of those that every world has', () => {
     expect(() => createPhysicsWorld({ capacity: 4, components: [COMPONENTS.Mass] })).toThrow('world.components.Mass');
     expect(() => columnsOf(createPhysicsWorld({ capacity: 4 }), COMPONENTS.Mass)).toThrow('world.components.Mass');
