@@ -12,7 +12,8 @@ import { partsOf } from './parts.ts';
 /**
  * Gives a body the mass and the moment of inertia of its collider, or of its parts as `setCompoundDensity` does, as `spawn` computes them
  * from a density. Position, velocity and spin stay; a body that does not turn stays so, and an InertiaTensor grows with the mass. For a
- * mass m of a body without parts pass m/A, where A is the area of its shape, `box(1, 1).area`.
+ * mass m of a body without parts pass m/A, where A is the area of its shape, `box(1, 1).area`. The hull stays: after `setShape` write
+ * `Hull.volume` and `Hull.halfHeight` of what floats.
  * @param density kg/m², in three dimensions kg/m³
  * @throws PhysicsError E_RANGE for a body without mass, without a collider or of a segment; E_TYPE, E_NONFINITE, E_STALE, E_REENTRANT
  *   (during a step), E_DESTROYED: nothing is changed

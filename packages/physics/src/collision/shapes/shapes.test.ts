@@ -1,3 +1,4 @@
+import { addComponent, set } from 'bitecs';
 import { describe, expect, test } from 'vitest';
 import {
   box,
@@ -238,6 +239,16 @@ describe('a body with a shape', () => {
     expect(codeOf(() => spawn(world, { position: {}, collider: { shape: line, density: 1 } }))).toBe('E_RANGE');
     expect(codeOf(() => setShape(world, 3, shape))).toBe('E_STALE');
     expect(stateHash(world)).toBe(before);
+  });
+
+  test('is not set of a body without a collider, which is not stale', () => {
+    const world = createPhysicsWorld();
+    const point = spawn(world, { position: {}, mass: 1 });
+    expect(codeOf(() => setShape(world, point, box(1, 1)))).toBe('E_RANGE');
+    expect(() => setShape(world, point, box(1, 1))).toThrow(`body ${point} has no collider`);
+    addComponent(world, point, set(world.components.Collider, { radius: 0.5 }));
+    setShape(world, point, box(1, 3));
+    expect(shapeAt(world, world.components.Collider.shape[point])).toMatchObject({ area: 3 });
   });
 
   test('may take density with a radius, in 3D as a ball', () => {
