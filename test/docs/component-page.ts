@@ -26,7 +26,7 @@ export const OTHER_READERS: Partial<Record<ComponentName, string>> = {
     'the preset `rigidBodies`, `boxWalls`, `segmentWalls`, `planeWalls`, `collideBodies`, `mergeOnContact`, `bodyAt`, renderers',
   Appearance: 'renderers, `bodyAt`',
   Joint: 'the preset `rigidBodies`',
-  Spring: 'the force `springs`, `xpbd`, `breakSprings`, `maxStrain`, `rmsStrain`, `createLinkLayer`',
+  Spring: 'the force `springs`, `xpbd`, `breakSprings`, `maxStrain`, `rmsStrain`',
   SegmentWall: '`segmentWalls`, in the preset `particleContacts`; the preset `rigidBodies`',
   PlaneWall: '`planeWalls`, in the preset `particleContacts`; the preset `rigidBodies`',
   Attachment: 'the preset `rigidBodies`, queries, `bodyOf`, `partsOf`',
