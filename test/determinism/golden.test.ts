@@ -47,7 +47,7 @@ it('240 steps of every scene end where they always ended', () => {
       "rope": "dd59fcd83d628992",
       "smash": "a9f1eab2a1dc7919",
       "solar-system": "629d39c213fda8a5",
-      "spinner": "a2359bca74131611",
+      "spinner": "1f3e4c3ac5610b8b",
       "springs": "2f827429c1ac197b",
       "tumbler": "d5bf4e240897272f",
       "washer": "4ac4a06e418ecda3",

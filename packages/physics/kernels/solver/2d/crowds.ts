@@ -96,7 +96,9 @@ const SIZE: usize = (offsetof<Crowd>() + 7) & ~7;
 function isDeep(t: RigidTable, contact: RigidContact): bool {
   const a = poseOf(t, contact.bodyA);
   const b = poseOf(t, contact.bodyB);
-  const extent = min<real>(a.minExtent, b.minExtent);
+  // What has no thickness, as the ground of a chain, is overlapped by any contact.
+  const thinner = min<real>(a.minExtent, b.minExtent);
+  const extent = thinner > 0 ? thinner : max<real>(a.minExtent, b.minExtent);
   const point = deepest(contact);
   if ((contact.flags & IS_DEEP) != 0) return -point.separation > FLAT * extent;
   // Twice the way of a step, because contacts may have slowed the bodies since.
