@@ -6,7 +6,7 @@ import * as block from '../../solver/2d/contact-block';
 import { blockAt, contactOf, laneAt, pointAt, separationAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, impactAt, pointOf, setCoupling } from './impact';
-import { memberOf, treeOf, weighTrees } from './impact-trees';
+import { lockLimits, memberOf, treeOf, weighTrees } from './impact-trees';
 import { moveToEnd } from './move-to-end';
 
 // In t.impactOf: joints keep the points of the contact from moving apart.
@@ -24,6 +24,10 @@ export function addImpact(t: RigidTable, place: i32): i32 {
   readImpact(t, impactAt(t, i), place);
   // What bounces does so after the last sub-step.
   if (t.isLanding != 0 && impactAt(t, i).restitution != 0) return -1;
+  if (t.isLanding == 0) {
+    lockLimits(t, impactAt(t, i).treeA);
+    lockLimits(t, impactAt(t, i).treeB);
+  }
   if (!weighTrees(t, impactAt(t, i))) {
     putWord(t.impactOf, place, HELD);
     return -1;

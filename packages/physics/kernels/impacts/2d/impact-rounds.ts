@@ -11,12 +11,14 @@ import { firstEdge, nextEdge, visit } from './contact-edges';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, tangentSpeedAt, excessAt } from './impact';
 import { addImpact } from './impact-list';
 import {
+  hasLocks,
   lockJoints,
   memberOf,
   othersIn,
   passImpulse,
   projectImpacts,
   projectStruck,
+  releaseLimits,
   startImpulse,
   weighTrees,
 } from './impact-trees';
@@ -50,6 +52,8 @@ export function bounceInRounds(t: RigidTable, slowest: real): void {
     solveStruck(t, MAX_PASSES, (t.isLanding != 0 ? LAST_SOLVED : SOLVED) * slowest);
     // What lands is not thrown back, and its trees have followed each impulse.
     if (t.isLanding == 0) {
+      for (let most = MAX_ROUNDS; most > 0 && hasLocks && letGo(t); most--)
+        solveStruck(t, MAX_PASSES, SOLVED * slowest);
       for (let i = 0; i < t.struckCount; i++) throwBack(impactAt(t, word(t.struck, i)));
       projectStruck(t);
     }
@@ -165,6 +169,40 @@ function solveStruck(t: RigidTable, passes: i32, solved: real): void {
 // @ts-ignore: decorator
 @inline function isFree(massX: real, massY: real, inertia: real): bool {
   return massX == massY && (massX > 0 || inertia == 0);
+}
+
+// Lets limits go that had to pull when what is struck was stopped, and takes that back then. Returns whether there are any.
+function letGo(t: RigidTable): bool {
+  exertAgain(t, -1);
+  let any = false;
+  for (let i = 0; i < t.struckCount; i++) if (releaseLimits(t, impactAt(t, word(t.struck, i)))) any = true;
+  if (!any) exertAgain(t, 1);
+  for (let i = 0; any && i < t.struckCount; i++) takeBack(t, impactAt(t, word(t.struck, i)));
+  return any;
+}
+
+// Applies the impulses of this round again, or takes them back.
+function exertAgain(t: RigidTable, sign: real): void {
+  for (let i = 0; i < t.struckCount; i++) {
+    const impact = impactAt(t, word(t.struck, i));
+    for (let k = 0; k < impact.count; k++) {
+      const point = pointOf(impact, k);
+      applyNormalImpulse(impact, point, sign * point.impulse);
+      applyTangentImpulse(impact, point, sign * (point.tangentImpulse - point.tangentBefore));
+    }
+  }
+  projectStruck(t);
+}
+
+// Makes an impact ready to be stopped again, after its impulses of this round were taken back.
+function takeBack(t: RigidTable, impact: Impact): void {
+  if (impact.isWeighed == 0) impact.held = weighTrees(t, impact) ? 0 : 1;
+  for (let i = 0; i < impact.count; i++) {
+    const point = pointOf(impact, i);
+    point.given -= point.impulse;
+    point.impulse = 0;
+    point.tangentImpulse = point.tangentBefore;
+  }
 }
 
 // A restitution above 1 adds energy once in a step, and counts as 1 in further rounds, which it would feed.

@@ -1,6 +1,6 @@
 // Impacts at bodies that joints hold: what pushes one pushes its whole tree.
 import { get } from '../../memory/columns';
-import { lockStruck, unlockStruck } from '../../joints/2d/impact-locks';
+import { lockBearing, lockStruck, releasePulling, unlockStruck } from '../../joints/2d/impact-locks';
 import { JointTable } from '../../joints/2d/joint-table';
 import { bodyOfTree, jointsOfTree, treeOfRow } from '../../joints/2d/list-by-tree';
 import {
@@ -38,6 +38,7 @@ export function startTrees(t: RigidTable): void {
   if (t.joints == 0) return;
   startProjections(jointsOf(t), t);
   forgetResponses(jointsOf(t));
+  hasLocks = false;
 }
 
 // The same before the first sub-step.
@@ -53,19 +54,44 @@ export function unlockTrees(t: RigidTable): bool {
 
 // The same after the last sub-step.
 export function endTrees(t: RigidTable): void {
+  hasLocks = false;
   if (unlockTrees(t)) startProjections(jointsOf(t), t);
 }
 
-// Locks the limits and motors of a tree that an impact strikes. What they bear counts in all impacts at the tree from now on.
+// Locks the limits and motors of a tree that an impact strikes.
 export function lockJoints(t: RigidTable, tree: i32, slowest: real): bool {
   if (!lockStruck(jointsOf(t), t, tree, <f64>slowest)) return false;
+  weighAgain(t, tree);
+  return true;
+}
+
+// The same for the limits that bear a tree when something bounces there.
+export function lockLimits(t: RigidTable, tree: i32): void {
+  if (tree < 0 || !lockBearing(jointsOf(t), t, tree)) return;
+  hasLocks = true;
+  weighAgain(t, tree);
+}
+
+// Whether limits are locked in which bodies bounce.
+export let hasLocks: bool = false;
+
+// What is locked now counts in all impacts at the tree.
+function weighAgain(t: RigidTable, tree: i32): void {
   projectAgain(jointsOf(t), t, tree);
   endResponses(jointsOf(t), tree);
   for (let i = 0; i < t.impactCount; i++) {
     const impact = impactAt(t, i);
     if (impact.treeA == tree || impact.treeB == tree) impact.isWeighed = 0;
   }
-  return true;
+}
+
+// Lets the limits of both trees of an impact go that had to pull. Returns whether there are any.
+export function releaseLimits(t: RigidTable, impact: Impact): bool {
+  const a = impact.treeA >= 0 && releasePulling(jointsOf(t), impact.treeA);
+  if (a) weighAgain(t, impact.treeA);
+  const b = impact.treeB >= 0 && impact.treeB != impact.treeA && releasePulling(jointsOf(t), impact.treeB);
+  if (b) weighAgain(t, impact.treeB);
+  return a || b;
 }
 
 // The number of the tree with which a body bounces, or -1; `row` is 0 for what contacts do not push.

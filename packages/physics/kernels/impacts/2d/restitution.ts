@@ -27,7 +27,16 @@ import {
 } from './impact';
 import { addImpact, storeImpact } from './impact-list';
 import { bounceInRounds } from './impact-rounds';
-import { memberOf, othersIn, projectImpact, projectImpacts, startTrees, weighTrees } from './impact-trees';
+import {
+  endTrees,
+  hasLocks,
+  memberOf,
+  othersIn,
+  projectImpact,
+  projectImpacts,
+  startTrees,
+  weighTrees,
+} from './impact-trees';
 import { moveToEnd } from './move-to-end';
 import { pairP, pairQ, solvePair } from './stop-impact';
 
@@ -46,7 +55,14 @@ export function applyRestitution(table: usize): i32 {
   if (t.bouncyCount == 0) return 0;
   findImpacts(t);
   const count = t.impactCount;
-  if (count == 0) return 0;
+  if (count > 0) bounceAll(t, count);
+  if (hasLocks) endTrees(t);
+  for (let i = 0; i < t.impactCount; i++) storeImpact(t, impactAt(t, i));
+  return t.impactCount;
+}
+
+// The first `count` impacts are those that were found before the rounds.
+function bounceAll(t: RigidTable, count: i32): void {
   for (let i = 0; i < count; i++) takeBack(t, impactAt(t, i));
   projectImpacts(t);
   for (let i = 0; i < count; i++) noteSpeeds(t, impactAt(t, i));
@@ -56,8 +72,6 @@ export function applyRestitution(table: usize): i32 {
   halfKick(t, count, false);
   bounceInRounds(t, max<real>(<real>t.restitutionThreshold, AT_REST));
   halfKick(t, count, true);
-  for (let i = 0; i < t.impactCount; i++) storeImpact(t, impactAt(t, i));
-  return t.impactCount;
 }
 
 // Lists the contacts of all impacts that may bounce, from those that were hit on.

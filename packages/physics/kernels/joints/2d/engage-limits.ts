@@ -73,6 +73,12 @@ const NO_ROOM: f64 = 1e-9;
   return work.kind == PULLEY ? Infinity : <f64>get(t.upper, work.id);
 }
 
+// Whether its limits hold a joint at one place.
+// @ts-ignore: decorator
+@inline export function leavesNoRoom(t: JointTable, work: JointWork): bool {
+  return upperOf(t, work) - lowerOf(t, work) < NO_ROOM;
+}
+
 // @ts-ignore: decorator
 @inline function speedOf(rigid: RigidTable, work: JointWork): f64 {
   const a = stateA(rigid, work);
@@ -192,6 +198,7 @@ export function releaseLimits(t: JointTable, rigid: RigidTable): bool {
 export function settleLimit(t: JointTable, work: JointWork): void {
   const side = work.limit;
   if (side == 0) return;
+  work.bore = side;
   const impulses = impulsesOf(t, work.id);
   const impulse = lastLock(impulses, work);
   unlock(t, work);

@@ -1,14 +1,32 @@
 // Limits and motors in an impact. A suspension that bottoms out, a leg that is stretched, or one whose motor holds it, passes the impact on to
 // what it stands on. So limits that an impact passes, and motors that stand still and can hold that, are locked directions of their
-// trees until it is over. That takes energy and gives none.
+// trees until it is over. That takes energy and gives none. What bounces does so against the limits that bore in the step: these
+// are locked, too, as long as they need to push.
 import { get } from '../../memory/columns';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
-import { LOWER, UPPER, hasTreeLimits, lowerOf, upperOf } from './engage-limits';
+import { BOTH, LOWER, UPPER, hasTreeLimits, leavesNoRoom, lowerOf, upperOf } from './engage-limits';
 import { JointTable, PULLEY, impulsesOf, isSolvedApart } from './joint-table';
 import { addLock, coupling, removeLock, speedAlong, stateA, stateB } from './joint-rows';
-import { JointRow, JointWork, MOST_LOCKS, MOTOR_ROW, SPRING_ROW, hasOwnDirection, rowOf, workAt } from './joint-work';
+import {
+  JointRow,
+  JointWork,
+  MOST_LOCKS,
+  MOTOR_ROW,
+  SPRING_ROW,
+  hasOwnDirection,
+  placeAt,
+  rowOf,
+  signOf,
+  workAt,
+} from './joint-work';
 import { jointsOfTree } from './list-by-tree';
+
+// A motor or a spring may have driven a joint from its limit if that leaves it faster than this, m/s.
+const LEAVES: f64 = 0.5;
+
+// A limit pulls where it keeps its bodies from parting faster than this, m/s: less is what rounding leaves.
+const LEAST_PULL: f64 = 0.01;
 
 // Locks what the joints of a tree pass within the step, faster than `slowest`, m/s. Returns whether there is anything.
 export function lockStruck(t: JointTable, rigid: RigidTable, tree: i32, slowest: f64): bool {
@@ -80,6 +98,56 @@ function lengthOf(work: JointWork, row: JointRow): f64 {
   if (row.x != 0 || row.y != 0) return 1;
   const inertia = work.inertiaA + work.inertiaB;
   return inertia > 0 ? sqrt<f64>((work.massAx + work.massAy + work.massBx + work.massBy) / (2 * inertia)) : 0;
+}
+
+// Locks the limits of a tree that bore in the step, before the impulses of an impact are taken back: what they exerted against these goes
+// with them. Returns whether there are any.
+export function lockBearing(t: JointTable, rigid: RigidTable, tree: i32): bool {
+  let any = false;
+  const first = word(t.treeStarts, tree);
+  for (let i = 0; t.otherCount > 0 && i < jointsOfTree(t, tree); i++) {
+    const work = workAt(t, word(t.treeJoints, first + i));
+    if (work.limit != 0 || !isFree(t, work) || !hasTreeLimits(t, work)) continue;
+    work.limit = bearingLimit(t, rigid, work);
+    if (work.limit == 0) continue;
+    const row = rowOf(work, SPRING_ROW);
+    work.limitLock = addLock(work, row, 0, row.chord);
+    any = true;
+  }
+  return any;
+}
+
+function bearingLimit(t: JointTable, rigid: RigidTable, work: JointWork): i32 {
+  if (leavesNoRoom(t, work)) return BOTH;
+  const impulses = impulsesOf(t, work.id);
+  if (impulses.lower > 0) return LOWER;
+  if (impulses.upper > 0) return UPPER;
+  if (!(get(t.maxMotor, work.id) > 0) && !(get(t.hertz, work.id) > 0)) return work.bore;
+  const row = rowOf(work, SPRING_ROW);
+  const speed = lengthOf(work, row) * (speedAlong(stateA(rigid, work), stateB(rigid, work), row) + row.chord);
+  return work.bore * speed < LEAVES ? work.bore : 0;
+}
+
+// Lets the limits of a tree go that had to pull in an impact, after the projection that took the impulses of it back. Returns whether
+// there are any.
+export function releasePulling(t: JointTable, tree: i32): bool {
+  let any = false;
+  const first = word(t.treeStarts, tree);
+  for (let i = 0; i < jointsOfTree(t, tree); i++) {
+    const k = word(t.treeJoints, first + i);
+    const work = workAt(t, k);
+    if (work.limit == 0 || work.limit == BOTH) continue;
+    const row = rowOf(work, work.limitLock);
+    const push = signOf(placeAt(t, k)) * row.value * work.limit;
+    if (!(-push * coupling(work, row, row) * lengthOf(work, row) > LEAST_PULL)) continue;
+    const impulses = impulsesOf(t, work.id);
+    removeLock(work, impulses, work.limitLock);
+    impulses.lower = 0;
+    impulses.upper = 0;
+    work.limit = 0;
+    any = true;
+  }
+  return any;
 }
 
 // Ends an impact. Returns whether anything was locked: the matrices are to be made again.

@@ -29,6 +29,8 @@ export class JointWork {
   limit: i32;
   // The row of that limit among the locked directions.
   limitLock: i32;
+  // Which bore last in this step.
+  bore: i32;
   // What its motor does with its tree, 0 for nothing, and its row among the locked directions, -1 for none (engage-motors.ts).
   motor: i32;
   motorLock: i32;

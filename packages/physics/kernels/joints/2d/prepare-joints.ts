@@ -53,6 +53,7 @@ export function prepareJoints(table: usize): void {
 function beginRows(t: JointTable, rigid: RigidTable, k: i32): void {
   const work = workAt(t, k);
   const id = work.id;
+  work.bore = 0;
   work.localAx = <f64>get(t.ax, id);
   work.localAy = <f64>get(t.ay, id);
   work.localBx = <f64>get(t.bx, id);
