@@ -90,3 +90,30 @@ test('two hinges hold the angle of two bodies', () => {
   // Joints give way by load/(m ω²) at 60 Hz: 1 kg at 0.4 m over 0.4 m, some 1e-4 m.
   expect(Math.abs(Rotation.angle[tip] - Rotation.angle[arm])).toBeLessThan(1e-3);
 });
+
+test('two hinges hold a body to one that may only turn', () => {
+  const world = rigidWorld({ forces: [] });
+  const locks = { x: true, y: true };
+  const wheel = spawn(world, {
+    position: {},
+    angularVelocity: { z: 2 },
+    motionLocks: locks,
+    collider: { shape: box(1, 1), density: 10 },
+  });
+  const bar = spawn(world, {
+    position: { x: 1 },
+    velocity: { y: 2 },
+    angularVelocity: { z: 2 },
+    mass: 1,
+    collider: { shape: box(1, 0.2) },
+  });
+  for (const y of [-0.1, 0.1]) createJoint(world, revolute({ a: wheel, b: bar, anchor: { x: 0.5, y } }));
+  const { Position, Rotation } = world.components;
+  for (let i = 0; i < 120; i++) {
+    step(world, DT);
+    // A rigid body about the origin: the bar stays a metre from it, and turns as the wheel does; joints give way by m ω² r/(m ω₀²), 3e-5 m.
+    expect(Math.hypot(Position.x[bar], Position.y[bar])).toBeCloseTo(1, 3);
+    expect(Rotation.angle[bar]).toBeCloseTo(Rotation.angle[wheel], 3);
+  }
+  expect(Rotation.angle[wheel]).toBeGreaterThan(3);
+});

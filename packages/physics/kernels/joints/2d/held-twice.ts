@@ -11,15 +11,15 @@ import { LoopRow, clearDirection, loopRow } from './loop-row';
 // A direction is locked already if no more than this part of it is new.
 const NEW: f64 = 1e-3;
 
-// What is locked of the motion of the first body against the second: at most three orthogonal directions x, y, and turn, each times the
-// root of the inverse mass along it.
+// What is locked of the motion of the second body against the first: at most three orthogonal directions x, y, and turn, each times
+// the root of the inverse masses of both along it.
 const LOCKED = memory.data(9 * 8, 8);
 let lockedCount: i32 = 0;
 
 // A direction in the same units, with what the locked ones have of it taken away.
-let x: f64 = 0;
-let y: f64 = 0;
-let turn: f64 = 0;
+let newX: f64 = 0;
+let newY: f64 = 0;
+let newTurn: f64 = 0;
 
 // Bits of the directions of the joint that stay.
 let kept: i32 = 0;
@@ -98,27 +98,27 @@ function newPart(work: JointWork, row: LoopRow): f64 {
 }
 
 function project(work: JointWork, dx: f64, dy: f64, arm: f64): f64 {
-  x = dx * sqrt<f64>(work.massAx);
-  y = dy * sqrt<f64>(work.massAy);
-  turn = arm * sqrt<f64>(work.inertiaA);
-  const all = x * x + y * y + turn * turn;
+  newX = dx * sqrt<f64>(work.massAx + work.massBx);
+  newY = dy * sqrt<f64>(work.massAy + work.massBy);
+  newTurn = arm * sqrt<f64>(work.inertiaA + work.inertiaB);
+  const all = newX * newX + newY * newY + newTurn * newTurn;
   for (let i: usize = 0; i < <usize>lockedCount; i++) {
     const at = LOCKED + 24 * i;
-    const part = x * load<f64>(at) + y * load<f64>(at, 8) + turn * load<f64>(at, 16);
-    x -= part * load<f64>(at);
-    y -= part * load<f64>(at, 8);
-    turn -= part * load<f64>(at, 16);
+    const part = newX * load<f64>(at) + newY * load<f64>(at, 8) + newTurn * load<f64>(at, 16);
+    newX -= part * load<f64>(at);
+    newY -= part * load<f64>(at, 8);
+    newTurn -= part * load<f64>(at, 16);
   }
-  return all > 0 ? sqrt<f64>((x * x + y * y + turn * turn) / all) : 0;
+  return all > 0 ? sqrt<f64>((newX * newX + newY * newY + newTurn * newTurn) / all) : 0;
 }
 
 // Adds the direction that was projected last to the locked ones.
 function keep(): void {
   if (lockedCount == 3) return;
-  const scale = 1 / sqrt<f64>(x * x + y * y + turn * turn);
+  const scale = 1 / sqrt<f64>(newX * newX + newY * newY + newTurn * newTurn);
   const at = LOCKED + 24 * <usize>lockedCount;
   lockedCount++;
-  store<f64>(at, scale * x);
-  store<f64>(at, scale * y, 8);
-  store<f64>(at, scale * turn, 16);
+  store<f64>(at, scale * newX);
+  store<f64>(at, scale * newY, 8);
+  store<f64>(at, scale * newTurn, 16);
 }
