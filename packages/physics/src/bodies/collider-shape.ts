@@ -51,9 +51,12 @@ export function resolveShape<Body extends object>(world: PhysicsWorld, body: Bod
     });
   }
   const radius = shape?.extent ?? fields.radius ?? 0.5;
-  const resolved: Record<string, unknown> = { ...body, collider: { ...fields, radius } };
+  const isSolid = shape !== undefined || density !== undefined;
+  const missing = isSolid ? missingOf(world, body as Input, solidOf(world, shape, radius), density) : {};
+  // An object that gets them afterwards takes engines five times as long.
+  const resolved: Record<string, unknown> = { ...missing, ...body, collider: { ...fields, radius } };
+  for (const key of Object.keys(missing)) resolved[key] ??= missing[key];
   if (shape !== undefined) completeHull(resolved, shape);
-  if (shape !== undefined || density !== undefined) addMass(world, resolved, solidOf(world, shape, radius), density);
   return { body: resolved as Body, shape };
 }
 
@@ -119,7 +122,9 @@ export function solidOf(world: PhysicsWorld, shape: Shape | undefined, radius: u
     : { massPerDensity: discMass(1, checked), inertiaPerMass: discInertia(1, checked) };
 }
 
-function addMass(world: PhysicsWorld, body: Record<string, unknown>, solid: Solid, density: unknown): void {
+/** The mass that follows from a density, and what a body with a shape turns by. @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE */
+function missingOf(world: PhysicsWorld, body: Input, solid: Solid, density: unknown): Record<string, unknown> {
+  let { mass } = body;
   if (density !== undefined) {
     const checked = checkNumber(density, 'collider.density', { above: 0, max: 1e38 });
     if (solid.massPerDensity === 0) {
@@ -129,13 +134,12 @@ function addMass(world: PhysicsWorld, body: Record<string, unknown>, solid: Soli
         hint: 'Leave it out, or give the body a mass.',
       });
     }
-    body.mass ??= checked * solid.massPerDensity;
+    mass ??= checked * solid.massPerDensity;
   }
-  const mass = isRecord(body.mass) ? body.mass.value : body.mass;
-  body[world.dimensions === 2 ? 'rotation' : 'orientation'] ??= {};
-  if (body.mass === undefined) return;
-  body.inertia ??= scaled(mass ?? 1, solid.inertiaPerMass);
-  body.angularVelocity ??= {};
+  const turn = world.dimensions === 2 ? 'rotation' : 'orientation';
+  if (mass === undefined) return { [turn]: {} };
+  const value = (isRecord(mass) ? mass.value : mass) ?? 1;
+  return { mass, [turn]: {}, inertia: scaled(value, solid.inertiaPerMass), angularVelocity: {} };
 }
 
 /** The product of a number or of each number of a list; what is neither is refused where the mass itself is checked. */

@@ -1,5 +1,5 @@
 // A disc among rigid bodies turns as a box does, whatever its mass is given by.
-import { createJoint, createPhysicsWorld, revolute, spawn, spawnMany, step } from '@principia/physics';
+import { box, createJoint, createPhysicsWorld, revolute, spawn, spawnMany, step } from '@principia/physics';
 import { expect, it } from 'vitest';
 import { G, rigidWorld } from '../../../../test/support/rigid-world.ts';
 
@@ -48,7 +48,9 @@ it('stays a point that does not turn in worlds of particles', () => {
 it('says where density and mass stand, when one is not where it belongs', () => {
   const world = rigidWorld();
   const body = { position: {}, collider: { radius: 0.5, mass: 3 } };
-  expect(() => spawn(world, body)).toThrow(/no field "mass".*In spawn also density; mass stands beside collider\./);
+  expect(() => spawn(world, body)).toThrow(/no field "mass".*In spawn also density; mass stands beside collider/);
+  const shape = box(1, 1);
+  expect(() => spawn(world, { position: {}, collider: shape as never })).toThrow(/a shape in it: { shape: box/);
   const both = spawn(world, { position: {}, mass: 3, collider: { radius: 0.5, density: 100 } });
   expect(world.components.Mass.value[both]).toBe(3);
 });

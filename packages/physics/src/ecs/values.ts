@@ -18,7 +18,10 @@ export function checkValues(space: WorldView, name: ComponentName, data: unknown
   for (const field of Object.keys(given)) {
     // A lookup in `spec.fields` alone would find "constructor" in the prototype.
     if (!Object.hasOwn(spec.fields, field)) {
-      const more = name === 'Collider' ? ' In spawn also density; mass stands beside collider.' : '';
+      const more =
+        name === 'Collider'
+          ? ' In spawn also density; mass stands beside collider, and a shape in it: { shape: box(1, 1) }.'
+          : '';
       throw unknownName(keyOf(name), 'field', field, Object.keys(spec.fields), entity, more);
     }
     const known = spec.fields[field] as FieldSpec;
