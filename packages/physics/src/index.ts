@@ -254,6 +254,9 @@ export { type EventMap, type EventName, type Handler, on } from './world/event-h
 export {
   PHASES,
   type Phase,
+  type Profile,
+  STEP_PARTS,
+  type StepPart,
 } from './world/phases.ts';
 export { resetProfile, startProfile, stopProfile } from './world/profile.ts';
 export { createRunner, type Runner, type RunnerOptions } from './world/runner.ts';
@@ -271,7 +274,6 @@ export type {
   Phases,
   PhysicsWorld,
   Preset,
-  Profile,
   Ranges,
   System,
   Warning,

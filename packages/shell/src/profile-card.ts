@@ -1,9 +1,17 @@
-import { PHASES, type PhysicsWorld, type Profile, resetProfile, startProfile, stopProfile } from '@principia/physics';
+import {
+  PHASES,
+  type PhysicsWorld,
+  type Profile,
+  resetProfile,
+  STEP_PARTS,
+  startProfile,
+  stopProfile,
+} from '@principia/physics';
 import { element } from './element.ts';
 import { decimal } from './language.ts';
 import { words } from './words.ts';
 
-/** The time of a step, phase by phase. */
+/** The time of a step, phase by phase, and of rigid bodies part by part. */
 export interface ProfileCard {
   /** Shows the mean milliseconds per step since the last call. */
   show(world: PhysicsWorld): void;
@@ -11,17 +19,14 @@ export interface ProfileCard {
 }
 
 export function createProfileCard(parent: HTMLElement): ProfileCard {
-  const list = element('dl', 'game-profile');
+  const phases = createBars(PHASES);
+  const parts = createBars(STEP_PARTS);
   const title = element('h2', '', {}, words().profileTitle);
-  const card = element('section', 'game-card', { 'aria-label': words().profile }, title, list);
+  const partsTitle = element('h2', '', {}, words().profileParts);
+  const card = element('section', 'game-card', { 'aria-label': words().profile });
+  card.append(title, phases.list, partsTitle, parts.list);
   card.hidden = true;
   parent.append(card);
-  const rows = PHASES.map((phase) => {
-    const bar = element('i', '');
-    const time = element('dd', '', {}, '–');
-    list.append(element('dt', '', {}, words().names[phase] ?? phase), bar, time);
-    return { phase, bar, time };
-  });
   let watched: { readonly world: PhysicsWorld; readonly profile: Profile; tick: number } | undefined;
   const watch = (world: PhysicsWorld) => ({
     world,
@@ -34,12 +39,10 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
     const steps = world.tick - tick;
     watched.tick = world.tick;
     if (steps > 0) {
-      const times = PHASES.map((phase) => profile.times[phase] / steps);
-      const sum = times.reduce((total, time) => total + time, 0);
-      for (const [i, { bar, time }] of rows.entries()) {
-        bar.style.setProperty('--share', String(sum > 0 ? times[i] / sum : 0));
-        time.textContent = `${decimal(times[i], times[i] < 1 ? 3 : 1)} ms`;
-      }
+      phases.show(profile.times, steps);
+      const total = parts.show(profile.parts, steps);
+      // Worlds without rigid bodies have no such parts.
+      partsTitle.hidden = parts.list.hidden = total === 0;
     }
     resetProfile(profile);
   };
@@ -53,6 +56,30 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
       // Reading the clock costs time, so a hidden card measures nothing.
       if (watched.world.state !== 'destroyed') stopProfile(watched.world);
       watched = undefined;
+    },
+  };
+}
+
+/** A list of times with a bar for each. */
+function createBars<Name extends string>(names: readonly Name[]) {
+  const list = element('dl', 'game-profile');
+  const rows = names.map((name) => {
+    const bar = element('i', '');
+    const time = element('dd', '', {}, '–');
+    list.append(element('dt', '', {}, words().names[name] ?? name), bar, time);
+    return { name, bar, time };
+  });
+  return {
+    list,
+    /** Shows the means of sums over some steps, ms, and returns the sum of all. */
+    show(times: Readonly<Record<Name, number>>, steps: number): number {
+      const total = names.reduce((sum, name) => sum + times[name], 0);
+      for (const { name, bar, time } of rows) {
+        const mean = times[name] / steps;
+        bar.style.setProperty('--share', String(total > 0 ? times[name] / total : 0));
+        time.textContent = `${decimal(mean, mean < 1 ? 3 : 1)} ms`;
+      }
+      return total;
     },
   };
 }

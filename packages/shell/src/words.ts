@@ -65,6 +65,7 @@ const en = {
   plots: { Energy: 'Energy', Momentum: 'Momentum', 'Angular momentum': 'Angular momentum', 'Any value': 'Any value' },
   profile: 'Profile',
   profileTitle: 'A step, phase by phase',
+  profileParts: 'Rigid bodies, part by part',
   record: 'Record video',
   recordHint: 'Record video (J)',
   recordStop: '● Stop',
@@ -100,7 +101,7 @@ const en = {
   ways: { up: 'up', left: 'left', right: 'right', down: 'down', action: 'action' } as Readonly<Record<string, string>>,
   /** Rows of the statistics. */
   stats: ['frame', 'bodies', 'step', 'contacts', 'draw', 'time'],
-  /** Lines of plots, and phases of a step, by the names that they have in the source. */
+  /** Lines of plots, and phases and parts of a step, by the names that they have in the source. */
   names: {
     kinetic: 'kinetic',
     potential: 'potential',
@@ -116,6 +117,14 @@ const en = {
     collide: 'collide',
     finish: 'finish',
     events: 'events',
+    gather: 'gather',
+    forces: 'forces',
+    broadPhase: 'broad phase',
+    narrowPhase: 'narrow phase',
+    solve: 'solve',
+    restitution: 'restitution',
+    continuous: 'continuous collision',
+    sleep: 'sleep, events',
   } as Readonly<Record<string, string>>,
   /** Lines of the help. */
   keys: {
@@ -236,6 +245,7 @@ const de: Words = {
   plots: { Energy: 'Energie', Momentum: 'Impuls', 'Angular momentum': 'Drehimpuls', 'Any value': 'Beliebiger Wert' },
   profile: 'Profil',
   profileTitle: 'Ein Schritt, Phase für Phase',
+  profileParts: 'Starre Körper, Teil für Teil',
   record: 'Video aufnehmen',
   recordHint: 'Video aufnehmen (J)',
   recordStop: '● Stopp',
@@ -284,6 +294,14 @@ const de: Words = {
     collide: 'Kollision',
     finish: 'Abschluss',
     events: 'Ereignisse',
+    gather: 'Einlesen',
+    forces: 'Kräfte',
+    broadPhase: 'Paarsuche',
+    narrowPhase: 'Berührungen',
+    solve: 'Löser',
+    restitution: 'Rückprall',
+    continuous: 'schnelle Körper',
+    sleep: 'Schlaf, Ereignisse',
   },
   keys: {
     clip: 'Clip der nächsten acht Sekunden teilen',

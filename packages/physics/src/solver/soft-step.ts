@@ -35,6 +35,7 @@ import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 import { markBodiesToSleep } from './sleep.ts';
 import { beginSubsteps } from './step-lengths.ts';
+import { endPart, startParts } from './time-parts.ts';
 
 /** How rigid bodies are solved. Lengths are for bodies from 0.1 m to 10 m. */
 export interface SoftStepOptions {
@@ -166,23 +167,33 @@ function advance(
 ): void {
   const h = dt / substeps;
   beginSubsteps(world, h);
+  startParts(world);
   const solving = beginStep(world, dt);
   const { kernels, at } = solving;
   kernels.gatherBodies(at);
+  endPart(world, 'gather');
   // Before anything else, because other forces wake what sleeps.
   evaluateForces(world, ranges, world.time);
+  endPart(world, 'forces');
   findContacts(world, solving, shouldCollide);
   const isCrowded = kernels.findCrowds(at) > 0;
   const isSteady = areForcesSteady(world);
+  endPart(world, 'narrowPhase');
   for (let s = 0; s < substeps; s++) {
-    if (s > 0 && !isSteady) evaluateForces(world, ranges, world.time + s * h);
+    if (s > 0 && !isSteady) {
+      evaluateForces(world, ranges, world.time + s * h);
+      endPart(world, 'forces');
+    }
     solveVelocities(solving, isCrowded, s === 0);
     kernels.integratePositions(at);
     relaxVelocities(solving, isCrowded);
     if (s < substeps - 1 && !isSteady) writePoses(kernels, at);
+    endPart(world, 'solve');
   }
   bounce(solving, isCrowded);
+  endPart(world, 'restitution');
   endStep(world, solving);
+  endPart(world, 'sleep');
 }
 
 function beginStep(world: PhysicsWorld, dt: number): Solving {
@@ -208,6 +219,7 @@ function findContacts(
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
   if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
+  endPart(world, 'broadPhase');
   kernels.wakeIslands(at);
   if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);
@@ -249,6 +261,7 @@ function bounce({ kernels, at, joints }: Solving, isCrowded: boolean): void {
 function endStep(world: PhysicsWorld, { kernels, at, joints }: Solving): void {
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
+  endPart(world, 'continuous');
   writePoses(kernels, at);
   if (rigidTable(world).words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);

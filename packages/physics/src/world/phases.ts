@@ -20,3 +20,35 @@ export const PHASES = [
 
 /** The name of a phase of the step. */
 export type Phase = (typeof PHASES)[number];
+
+/** The parts of the phase `integrate` in a step of rigid bodies, in order. */
+export const STEP_PARTS = [
+  /** Columns become the records of the solver. */
+  'gather',
+  /** All forces, in each sub-step. */
+  'forces',
+  /** Pairs of bodies whose boxes overlap. */
+  'broadPhase',
+  /** Joints that act, what wakes, and the points at which shapes touch. */
+  'narrowPhase',
+  /** Contacts and joints, and how far bodies move, in all sub-steps. */
+  'solve',
+  /** What bounces. */
+  'restitution',
+  /** Fast bodies stop at what they would pass through. */
+  'continuous',
+  /** Columns are written, islands fall asleep, events are listed. */
+  'sleep',
+] as const;
+
+/** The name of a part of a step of rigid bodies. */
+export type StepPart = (typeof STEP_PARTS)[number];
+
+/** Time spent since the profile was started or reset, in the clock's unit. */
+export interface Profile {
+  readonly clock: () => number;
+  /** Of each phase. */
+  readonly times: Record<Phase, number>;
+  /** Of the phase `integrate` with `softStep`, by its parts; 0 with other integrators. */
+  readonly parts: Record<StepPart, number>;
+}

@@ -1,6 +1,7 @@
 import { collectThrown } from '../errors/collect-thrown.ts';
 import { reportRejection } from '../errors/report-rejection.ts';
 import type { Phase } from './phases.ts';
+import { readClock } from './read-clock.ts';
 import type { PhysicsWorld, Plan } from './types.ts';
 
 /** Runs the systems of a phase in the order of their list. An exception of one does not stop the others. */
@@ -20,14 +21,4 @@ export function runPhase(world: PhysicsWorld, plan: Plan, phase: Phase, dt: numb
   }
   // A system may have started or stopped the profile.
   if (profile !== undefined && world.profile === profile) profile.times[phase] += readClock(world) - start;
-}
-
-/** The clock is user code: its exceptions are collected, and the step continues. */
-function readClock(world: PhysicsWorld): number {
-  try {
-    return world.profile?.clock() ?? 0;
-  } catch (error) {
-    collectThrown(world, error);
-    return 0;
-  }
 }

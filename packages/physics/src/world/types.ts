@@ -9,7 +9,7 @@ import type { Scalar, Vector } from '../laws/expression.ts';
 import type { Arena } from '../memory/arena.ts';
 import type { Previous, PreviousAddresses } from '../memory/previous-pose.ts';
 import type { Scratch } from '../memory/scratch.ts';
-import type { Phase } from './phases.ts';
+import type { Phase, Profile } from './phases.ts';
 import type { StepEdits } from './step-edits.ts';
 
 /** Writes the numbers of a parameter into a world's memory. */
@@ -247,12 +247,6 @@ export interface Plan {
   /** Values that other parts of the engine cache with the plan, and the number of them and of their blocks of memory. */
   readonly kept: Map<object, unknown>;
   made: number;
-}
-
-/** Time spent in each phase since the profile was started or reset, in the clock's unit. */
-export interface Profile {
-  readonly clock: () => number;
-  readonly times: Record<Phase, number>;
 }
 
 /**
