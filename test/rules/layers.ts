@@ -45,6 +45,7 @@ export const physicsLayers: readonly string[] = [
   'world/execution-plan.ts',
   'world/event-handlers.ts',
   'world/profile.ts',
+  'world/read-clock.ts',
   'world/run-phase.ts',
   'world/is-soft-step.ts',
   'dynamics',
