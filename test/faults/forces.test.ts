@@ -262,7 +262,7 @@ describe('invalid forces, systems and integrators', () => {
     world.integrator = { ...integrator, advance: oops };
     expect(() => step(world, DT)).toThrow(AggregateError);
     world.integrator = integrator;
-    world.profile = { clock: oops, times: {} as never, parts: {} as never };
+    world.profile = { clock: oops, times: {} as never, stages: {} as never };
     expect(() => step(world, DT)).toThrow(AggregateError);
     world.profile = undefined;
     assertWorldAlive(world);

@@ -255,8 +255,8 @@ export {
   PHASES,
   type Phase,
   type Profile,
-  STEP_PARTS,
-  type StepPart,
+  SOLVER_STAGES,
+  type SolverStage,
 } from './world/phases.ts';
 export { resetProfile, startProfile, stopProfile } from './world/profile.ts';
 export { createRunner, type Runner, type RunnerOptions } from './world/runner.ts';

@@ -3,7 +3,7 @@ import {
   type PhysicsWorld,
   type Profile,
   resetProfile,
-  STEP_PARTS,
+  SOLVER_STAGES,
   startProfile,
   stopProfile,
 } from '@principia/physics';
@@ -11,7 +11,7 @@ import { element } from './element.ts';
 import { decimal } from './language.ts';
 import { words } from './words.ts';
 
-/** The time of a step, phase by phase, and of rigid bodies part by part. */
+/** The time of a step, phase by phase, and of rigid bodies stage by stage. */
 export interface ProfileCard {
   /** Shows the mean milliseconds per step since the last call. */
   show(world: PhysicsWorld): void;
@@ -20,11 +20,11 @@ export interface ProfileCard {
 
 export function createProfileCard(parent: HTMLElement): ProfileCard {
   const phases = createBars(PHASES);
-  const parts = createBars(STEP_PARTS);
+  const stages = createBars(SOLVER_STAGES);
   const title = element('h2', '', {}, words().profileTitle);
-  const partsTitle = element('h2', '', {}, words().profileParts);
+  const stagesTitle = element('h2', '', {}, words().profileStages);
   const card = element('section', 'game-card', { 'aria-label': words().profile });
-  card.append(title, phases.list, partsTitle, parts.list);
+  card.append(title, phases.list, stagesTitle, stages.list);
   card.hidden = true;
   parent.append(card);
   let watched: { readonly world: PhysicsWorld; readonly profile: Profile; tick: number } | undefined;
@@ -40,9 +40,9 @@ export function createProfileCard(parent: HTMLElement): ProfileCard {
     watched.tick = world.tick;
     if (steps > 0) {
       phases.show(profile.times, steps);
-      const total = parts.show(profile.parts, steps);
-      // Worlds without rigid bodies have no such parts.
-      partsTitle.hidden = parts.list.hidden = total === 0;
+      const total = stages.show(profile.stages, steps);
+      // Worlds without rigid bodies have no such stages.
+      stagesTitle.hidden = stages.list.hidden = total === 0;
     }
     resetProfile(profile);
   };

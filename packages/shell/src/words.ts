@@ -65,7 +65,7 @@ const en = {
   plots: { Energy: 'Energy', Momentum: 'Momentum', 'Angular momentum': 'Angular momentum', 'Any value': 'Any value' },
   profile: 'Profile',
   profileTitle: 'A step, phase by phase',
-  profileParts: 'Rigid bodies, part by part',
+  profileStages: 'Rigid bodies, stage by stage',
   record: 'Record video',
   recordHint: 'Record video (J)',
   recordStop: '● Stop',
@@ -101,7 +101,7 @@ const en = {
   ways: { up: 'up', left: 'left', right: 'right', down: 'down', action: 'action' } as Readonly<Record<string, string>>,
   /** Rows of the statistics. */
   stats: ['frame', 'bodies', 'step', 'contacts', 'draw', 'time'],
-  /** Lines of plots, and phases and parts of a step, by the names that they have in the source. */
+  /** Lines of plots, and phases and stages of a step, by the names that they have in the source. */
   names: {
     kinetic: 'kinetic',
     potential: 'potential',
@@ -245,7 +245,7 @@ const de: Words = {
   plots: { Energy: 'Energie', Momentum: 'Impuls', 'Angular momentum': 'Drehimpuls', 'Any value': 'Beliebiger Wert' },
   profile: 'Profil',
   profileTitle: 'Ein Schritt, Phase für Phase',
-  profileParts: 'Starre Körper, Teil für Teil',
+  profileStages: 'Starre Körper, Schritt für Schritt',
   record: 'Video aufnehmen',
   recordHint: 'Video aufnehmen (J)',
   recordStop: '● Stopp',

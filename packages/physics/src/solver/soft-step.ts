@@ -35,7 +35,7 @@ import { refuseUnsupported } from './refuse-unsupported.ts';
 import { rigidTable } from './rigid-table.ts';
 import { markBodiesToSleep } from './sleep.ts';
 import { beginSubsteps } from './step-lengths.ts';
-import { endPart, startParts } from './time-parts.ts';
+import { endStage, startStages } from './time-stages.ts';
 
 /** How rigid bodies are solved. Lengths are for bodies from 0.1 m to 10 m. */
 export interface SoftStepOptions {
@@ -167,33 +167,33 @@ function advance(
 ): void {
   const h = dt / substeps;
   beginSubsteps(world, h);
-  startParts(world);
+  startStages(world);
   const solving = beginStep(world, dt);
   const { kernels, at } = solving;
   kernels.gatherBodies(at);
-  endPart(world, 'gather');
+  endStage(world, 'gather');
   // Before anything else, because other forces wake what sleeps.
   evaluateForces(world, ranges, world.time);
-  endPart(world, 'forces');
+  endStage(world, 'forces');
   findContacts(world, solving, shouldCollide);
   const isCrowded = kernels.findCrowds(at) > 0;
   const isSteady = areForcesSteady(world);
-  endPart(world, 'narrowPhase');
+  endStage(world, 'narrowPhase');
   for (let s = 0; s < substeps; s++) {
     if (s > 0 && !isSteady) {
       evaluateForces(world, ranges, world.time + s * h);
-      endPart(world, 'forces');
+      endStage(world, 'forces');
     }
     solveVelocities(solving, isCrowded, s === 0);
     kernels.integratePositions(at);
     relaxVelocities(solving, isCrowded);
     if (s < substeps - 1 && !isSteady) writePoses(kernels, at);
-    endPart(world, 'solve');
+    endStage(world, 'solve');
   }
   bounce(solving, isCrowded);
-  endPart(world, 'restitution');
+  endStage(world, 'restitution');
   endStep(world, solving);
-  endPart(world, 'sleep');
+  endStage(world, 'sleep');
 }
 
 function beginStep(world: PhysicsWorld, dt: number): Solving {
@@ -219,7 +219,7 @@ function findContacts(
   words[Word.asksUser] = shouldCollide === undefined ? 0 : 1;
   kernels.findRigidPairs(at);
   if (shouldCollide !== undefined) askAboutPairs(world, shouldCollide);
-  endPart(world, 'broadPhase');
+  endStage(world, 'broadPhase');
   kernels.wakeIslands(at);
   if (joints !== 0) kernels.prepareJoints(joints);
   kernels.updateContacts(at);
@@ -261,7 +261,7 @@ function bounce({ kernels, at, joints }: Solving, isCrowded: boolean): void {
 function endStep(world: PhysicsWorld, { kernels, at, joints }: Solving): void {
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
-  endPart(world, 'continuous');
+  endStage(world, 'continuous');
   writePoses(kernels, at);
   if (rigidTable(world).words[Word.partCount] > 0) kernels.writeParts(at, 0);
   if (joints !== 0) kernels.listBroken(joints);

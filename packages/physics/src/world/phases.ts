@@ -21,8 +21,8 @@ export const PHASES = [
 /** The name of a phase of the step. */
 export type Phase = (typeof PHASES)[number];
 
-/** The parts of the phase `integrate` in a step of rigid bodies, in order. */
-export const STEP_PARTS = [
+/** The stages of the phase `integrate` in a step of rigid bodies, in order. */
+export const SOLVER_STAGES = [
   /** Columns become the records of the solver. */
   'gather',
   /** All forces, in each sub-step. */
@@ -41,14 +41,14 @@ export const STEP_PARTS = [
   'sleep',
 ] as const;
 
-/** The name of a part of a step of rigid bodies. */
-export type StepPart = (typeof STEP_PARTS)[number];
+/** The name of a stage of a step of rigid bodies. */
+export type SolverStage = (typeof SOLVER_STAGES)[number];
 
 /** Time spent since the profile was started or reset, in the clock's unit. */
 export interface Profile {
   readonly clock: () => number;
   /** Of each phase. */
   readonly times: Record<Phase, number>;
-  /** Of the phase `integrate` with `softStep`, by its parts; 0 with other integrators. */
-  readonly parts: Record<StepPart, number>;
+  /** Of the phase `integrate` with `softStep`, by its stages; 0 with other integrators. */
+  readonly stages: Record<SolverStage, number>;
 }

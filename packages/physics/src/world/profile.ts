@@ -1,19 +1,19 @@
 import { assertUsable } from '../ecs/guards.ts';
 import { checkFunction, checkHas } from '../errors/validate.ts';
-import { PHASES, type Phase, type Profile, STEP_PARTS, type StepPart } from './phases.ts';
+import { PHASES, type Phase, type Profile, SOLVER_STAGES, type SolverStage } from './phases.ts';
 import type { PhysicsWorld } from './types.ts';
 
 /**
  * Starts profiling. Physics does not read a clock, so the caller passes one: `startProfile(world, () =>
- * performance.now())` gives milliseconds, of each phase and, with rigid bodies, of the parts of their step.
+ * performance.now())` gives milliseconds, of each phase and, with rigid bodies, of the stages of their step.
  * @throws PhysicsError E_TYPE, E_DESTROYED
  */
 export function startProfile(world: PhysicsWorld, clock: () => number): Profile {
   assertUsable(world);
   checkFunction(clock, 'startProfile: clock');
   const times = Object.fromEntries(PHASES.map((phase) => [phase, 0])) as Record<Phase, number>;
-  const parts = Object.fromEntries(STEP_PARTS.map((part) => [part, 0])) as Record<StepPart, number>;
-  const profile = { clock, times, parts };
+  const stages = Object.fromEntries(SOLVER_STAGES.map((stage) => [stage, 0])) as Record<SolverStage, number>;
+  const profile = { clock, times, stages };
   world.profile = profile;
   return profile;
 }
@@ -28,5 +28,5 @@ export function stopProfile(world: PhysicsWorld): void {
 export function resetProfile(profile: Profile): void {
   checkHas(profile, 'clock', 'resetProfile: profile', 'Pass the profile that startProfile returned.');
   for (const phase of PHASES) profile.times[phase] = 0;
-  for (const part of STEP_PARTS) profile.parts[part] = 0;
+  for (const stage of SOLVER_STAGES) profile.stages[stage] = 0;
 }
