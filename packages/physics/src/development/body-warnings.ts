@@ -1,8 +1,8 @@
 // Warnings about bodies whose parts or columns were changed in a way that is surely not meant.
-import { bitInWord, bitOf, bitsOf, isInFirstWord } from '../components/membership.ts';
+import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { firstRow, isKinematic } from './first-row.ts';
+import { firstRow, has, isKinematic } from './first-row.ts';
 
 /** Bodies that lost a part since the last look, by world. */
 const cutBodies = new WeakMap<PhysicsWorld, Set<number>>();
@@ -29,13 +29,13 @@ const OF_BODIES = [
 
 /** Warns about what a part has and its body should have. */
 function warnAboutValuesOfParts(world: PhysicsWorld): void {
-  const { counts, members, moreMembers } = world.internal;
-  if (counts.Attachment === 0 || OF_BODIES.every((name) => counts[name] === 0)) return;
-  const { first, second } = bitsOf(OF_BODIES);
-  const isOfPart = (id: number) => (members[id] & first) !== 0 || (moreMembers[id] & second) !== 0;
-  const part = firstRow(world, (id) => (members[id] & bitOf('Attachment')) !== 0 && isOfPart(id));
+  const { counts } = world.internal;
+  const names = OF_BODIES.filter((each) => counts[each] > 0);
+  if (counts.Attachment === 0 || names.length === 0) return;
+  const ofBodies = (id: number) => names.find((each) => has(world, id, each));
+  const part = firstRow(world, (id) => has(world, id, 'Attachment') && ofBodies(id) !== undefined);
   if (part === 0) return;
-  const name = OF_BODIES.find((each) => ((isInFirstWord(each) ? members : moreMembers)[part] & bitInWord(each)) !== 0);
+  const name = ofBodies(part);
   const body = world.components.Attachment.body[part];
   const warning = {
     message: `the ${name} of part ${part} has no effect, because forces act on compound bodies and not on their parts.`,

@@ -1,3 +1,4 @@
+import type { ComponentName } from '../components/all.ts';
 import { bitInWord, isInFirstWord } from '../components/membership.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 
@@ -7,8 +8,12 @@ export function firstRow({ lastId }: PhysicsWorld, has: (id: number) => boolean)
   return 0;
 }
 
+/** Whether an entity has a component. */
+export function has({ internal: { members, moreMembers } }: PhysicsWorld, id: number, name: ComponentName): boolean {
+  return ((isInFirstWord(name) ? members : moreMembers)[id] & bitInWord(name)) !== 0;
+}
+
 /** Whether a body moves by its velocity, whatever its mass. */
-export function isKinematic({ internal }: PhysicsWorld, id: number): boolean {
-  const words = isInFirstWord('Kinematic') ? internal.members : internal.moreMembers;
-  return (words[id] & bitInWord('Kinematic')) !== 0;
+export function isKinematic(world: PhysicsWorld, id: number): boolean {
+  return has(world, id, 'Kinematic');
 }

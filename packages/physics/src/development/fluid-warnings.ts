@@ -1,9 +1,9 @@
 // Warnings about what floats: hulls that no force reads as they are meant, and fluids that steps cannot follow.
 import { JOINT_KINDS } from '../components/joint.ts';
-import { bitInWord, bitOf, isInFirstWord } from '../components/membership.ts';
+import { bitOf } from '../components/membership.ts';
 import { warnOnce } from '../errors/warn-once.ts';
 import type { Force, PhysicsWorld, Plan } from '../world/types.ts';
-import { firstRow } from './first-row.ts';
+import { firstRow, has } from './first-row.ts';
 import { parameterOf } from './force-parameters.ts';
 
 export function warnAboutFluids(world: PhysicsWorld, plan: Plan, dt: number): void {
@@ -19,11 +19,6 @@ export function warnAboutFluids(world: PhysicsWorld, plan: Plan, dt: number): vo
 /** Forces of a fluid, also where they are restricted. */
 function forcesCalled(world: PhysicsWorld, ...names: string[]): Force[] {
   return world.forces.filter(({ name }) => names.some((each) => name === each || name === `${each} (restricted)`));
-}
-
-function has(world: PhysicsWorld, id: number, name: 'Hull' | 'Attachment' | 'Collider'): boolean {
-  const { members, moreMembers } = world.internal;
-  return ((isInFirstWord(name) ? members : moreMembers)[id] & bitInWord(name)) !== 0;
 }
 
 /** Whether forces move a body that has a hull. */

@@ -59,6 +59,15 @@ function dropCrate(world: PhysicsWorld, plate: number, ratio: number, restitutio
   return { rise, sunk, gain };
 }
 
+/** A plate of 1 kg with e = 1 that rests at the lower limit of a slider. */
+function addElasticPlate(world: PhysicsWorld): number {
+  const collider = { shape: box(1, 0.2), restitution: 1 };
+  const plate = spawn(world, { position: {}, velocity: {}, mass: 1, collider });
+  slider(world, plate, 5);
+  for (let i = 0; i < 30; i++) step(world, DT);
+  return plate;
+}
+
 const speed = Math.sqrt(2 * G * FALL);
 
 describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
@@ -112,14 +121,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
 
   it.each([0.05, 1, 20])('a limit does not pull: a ball of %f kg from below throws the plate off it', (mass) => {
     const world = rigidWorld({ precision });
-    const plate = spawn(world, {
-      position: {},
-      velocity: {},
-      mass: 1,
-      collider: { shape: box(1, 0.2), restitution: 1 },
-    });
-    slider(world, plate, 5);
-    for (let i = 0; i < 30; i++) step(world, DT);
+    const plate = addElasticPlate(world);
     const ball = disc(world, { y: -0.5, vy: 6, radius: 0.2, mass });
     const { y } = world.components.Velocity;
     let [met, left, thrown] = [0, 0, 0];
@@ -135,14 +137,7 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
 
   it('struck from both sides at once it lets go, and momentum and energy are those of three free bodies', () => {
     const world = rigidWorld({ precision });
-    const plate = spawn(world, {
-      position: {},
-      velocity: {},
-      mass: 1,
-      collider: { shape: box(1, 0.2), restitution: 1 },
-    });
-    slider(world, plate, 5);
-    for (let i = 0; i < 30; i++) step(world, DT);
+    const plate = addElasticPlate(world);
     const below = disc(world, { y: -0.35, vy: 6, radius: 0.2, mass: 3 });
     const above = disc(world, { y: 0.35, vy: -6, radius: 0.2, mass: 1 });
     const { y } = world.components.Velocity;

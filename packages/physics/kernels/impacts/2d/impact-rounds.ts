@@ -177,7 +177,7 @@ function letGo(t: RigidTable): bool {
   let any = false;
   for (let i = 0; i < t.struckCount; i++) if (releaseLimits(t, impactAt(t, word(t.struck, i)))) any = true;
   if (!any) exertAgain(t, 1);
-  for (let i = 0; any && i < t.struckCount; i++) takeBack(t, impactAt(t, word(t.struck, i)));
+  for (let i = 0; any && i < t.struckCount; i++) resetRound(t, impactAt(t, word(t.struck, i)));
   return any;
 }
 
@@ -195,7 +195,7 @@ function exertAgain(t: RigidTable, sign: real): void {
 }
 
 // Makes an impact ready to be stopped again, after its impulses of this round were taken back.
-function takeBack(t: RigidTable, impact: Impact): void {
+function resetRound(t: RigidTable, impact: Impact): void {
   if (impact.isWeighed == 0) impact.held = weighTrees(t, impact) ? 0 : 1;
   for (let i = 0; i < impact.count; i++) {
     const point = pointOf(impact, i);

@@ -30,7 +30,8 @@ export function clearHeldTwice(t: JointTable, work: JointWork, first: i32, end: 
   const row = loopRow(t, first);
   if (row.a == 0 || row.b == 0) return;
   lockedCount = 0;
-  const beside = jointAbove(t, row.a, row.b) >= 0 ? jointAbove(t, row.a, row.b) : jointAbove(t, row.b, row.a);
+  let beside = jointAbove(t, row.a, row.b);
+  if (beside < 0) beside = jointAbove(t, row.b, row.a);
   if (beside >= 0) lockJoint(t, work, beside);
   for (let i = 0; i < first; i++) lockRow(work, loopRow(t, i), row.a, row.b);
   if (lockedCount == 0) return;

@@ -46,9 +46,13 @@ export function lockStruck(t: JointTable, rigid: RigidTable, tree: i32, slowest:
 }
 
 function strikesLimit(t: JointTable, rigid: RigidTable, work: JointWork, slowest: f64): bool {
-  if (work.limit != 0) return false;
-  work.limit = passedLimit(t, rigid, work, rigid.dt, slowest);
-  if (work.limit == 0) return false;
+  return work.limit == 0 && lockLimit(work, passedLimit(t, rigid, work, rigid.dt, slowest));
+}
+
+// Locks a limit, if it is one, 0 for none.
+function lockLimit(work: JointWork, limit: i32): bool {
+  work.limit = limit;
+  if (limit == 0) return false;
   const row = rowOf(work, SPRING_ROW);
   // At rest, even if it had some way to go: a direction that is to move would be driven against whatever the impact presses on it.
   work.limitLock = addLock(work, row, 0, row.chord);
@@ -108,11 +112,7 @@ export function lockBearing(t: JointTable, rigid: RigidTable, tree: i32): bool {
   for (let i = 0; t.otherCount > 0 && i < jointsOfTree(t, tree); i++) {
     const work = workAt(t, word(t.treeJoints, first + i));
     if (work.limit != 0 || !isFree(t, work) || !hasTreeLimits(t, work)) continue;
-    work.limit = bearingLimit(t, rigid, work);
-    if (work.limit == 0) continue;
-    const row = rowOf(work, SPRING_ROW);
-    work.limitLock = addLock(work, row, 0, row.chord);
-    any = true;
+    if (lockLimit(work, bearingLimit(t, rigid, work))) any = true;
   }
   return any;
 }
