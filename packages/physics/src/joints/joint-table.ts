@@ -159,6 +159,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
     Word.treeOf,
     Word.treeJoints,
     Word.treeStarts,
+    Word.bends,
     Word.projected,
     Word.responseOf,
     Word.responsesIn,

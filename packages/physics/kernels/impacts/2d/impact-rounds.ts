@@ -9,6 +9,7 @@ import { isTouching, willMeet } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { firstEdge, nextEdge, visit } from './contact-edges';
 import { Impact, applyTangentImpulse, impactAt, pointOf, applyNormalImpulse, tangentSpeedAt, excessAt } from './impact';
+import { areManyOfTrees, solveFastestFirst } from './fastest-first';
 import { addImpact } from './impact-list';
 import {
   hasLocks,
@@ -135,6 +136,7 @@ function strike(t: RigidTable, index: i32): void {
 // Stops all that are struck, and those again whose bodies others have changed.
 function solveStruck(t: RigidTable, passes: i32, solved: real): void {
   if (t.struckCount > 1) pairStruck(t);
+  if (areManyOfTrees(t)) return solveFastestFirst(t, passes, solved);
   const first = ++t.pass;
   for (let last = first + passes; t.pass < last; t.pass++) {
     let change: real = 0;

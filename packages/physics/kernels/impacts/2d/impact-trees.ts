@@ -2,7 +2,7 @@
 import { get } from '../../memory/columns';
 import { lockBearing, lockStruck, releasePulling, unlockStruck } from '../../joints/2d/impact-locks';
 import { JointTable } from '../../joints/2d/joint-table';
-import { bodyOfTree, jointsOfTree, treeOfRow } from '../../joints/2d/list-by-tree';
+import { bendsOfTree, bodyOfTree, jointsOfTree, treeOfRow } from '../../joints/2d/list-by-tree';
 import {
   foreseeProjections,
   projectAgain,
@@ -18,9 +18,11 @@ import { blockAt, contactOf, laneAt } from '../../solver/2d/contact-place';
 import { RigidTable } from '../../solver/2d/rigid-table';
 import { Impact, ImpactPoint, applyNormalImpulse, impactAt, normalSpeedAt, pointOf } from './impact';
 
-// Of a larger tree the bodies bounce one by one, and its joints follow after the last round: the time of a projection grows with the
-// joints of the tree, and each contact of the tree needs some.
-const MOST_JOINTS: i32 = 64;
+// Of a larger tree the bodies bounce one by one, and its joints follow after the last round: the time of an impulse grows with the
+// joints of the tree, and each contact of the tree needs some. What bends needs many, as a rope that falls into a heap does. What is
+// welded together would be torn apart at its loops and thrown back by them.
+const MOST_BENDS: i32 = 64;
+const MOST_JOINTS: i32 = 1024;
 
 // Points that joints let move apart by less than this part of what they would without joints are held.
 const LEAST_MOTION: real = 1e-4;
@@ -94,11 +96,16 @@ export function releaseLimits(t: RigidTable, impact: Impact): bool {
   return a || b;
 }
 
+// @ts-ignore: decorator
+@inline function bouncesAsOne(t: JointTable, tree: i32): bool {
+  return jointsOfTree(t, tree) <= MOST_JOINTS && bendsOfTree(t, tree) <= MOST_BENDS;
+}
+
 // The number of the tree with which a body bounces, or -1; `row` is 0 for what contacts do not push.
 export function treeOf(t: RigidTable, row: i32): i32 {
   if (t.joints == 0 || row == 0) return -1;
   const tree = treeOfRow(jointsOf(t), row);
-  return tree >= 0 && jointsOfTree(jointsOf(t), tree) <= MOST_JOINTS ? tree : -1;
+  return tree >= 0 && bouncesAsOne(jointsOf(t), tree) ? tree : -1;
 }
 
 // Whether what joints hold to the bodies of a contact may weigh in an impact: not where these are heavy against what hits them.

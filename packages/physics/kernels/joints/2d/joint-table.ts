@@ -111,6 +111,8 @@ export class JointTable {
   treeOf: usize;
   treeJoints: usize;
   treeStarts: usize;
+  // By tree: how many of its joints let it bend.
+  bends: usize;
   // By tree: in which round of projections it was projected last (project-trees.ts).
   projected: usize;
   projections: i32;

@@ -10,6 +10,7 @@ import {
   JointImpulses,
   JointTable,
   REVOLUTE,
+  WELD,
   impulsesOf,
   isCoupling,
   isSolvedApart,
@@ -40,6 +41,12 @@ const KIND: i32 = 2048;
 // @ts-ignore: decorator
 @inline export function isPlainHinge(role: i32): bool {
   return (role & (LOCKS | HINGE | AXES)) == (LOCKS | HINGE);
+}
+
+// Whether it holds both bodies as if they were one.
+// @ts-ignore: decorator
+@inline export function isRigid(role: i32): bool {
+  return role / KIND == <i32>WELD && (role & AXES) == 0;
 }
 
 // Returns whether the list has changed.
