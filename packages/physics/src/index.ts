@@ -230,7 +230,7 @@ export { type NearestPoint, type NearestPointOptions, nearestPoint } from './que
 export { overlapShape } from './queries/overlap-shape.ts';
 export { type BodyPairs, pairsWithin } from './queries/pairs-within.ts';
 export { bodyAt, type PickOptions } from './queries/pick.ts';
-export { rayCast, rayCastAll } from './queries/ray-cast.ts';
+export { type Ray, rayCast, rayCastAll, rayCastMany } from './queries/ray-cast.ts';
 export type { Snapshot } from './snapshot/content.ts';
 export { decodeSnapshot } from './snapshot/decode-snapshot.ts';
 export { encodeSnapshot } from './snapshot/encode-snapshot.ts';

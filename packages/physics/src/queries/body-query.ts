@@ -97,7 +97,8 @@ export interface Path {
 }
 
 /**
- * Fills the record for a query along a path, about bodies whose surface comes within `reach` of it.
+ * Fills the record for a query along a path, about bodies whose surface comes within `reach` of it. `knownTrees` is what `treesOf` said
+ * of the bodies as they are now, with all parts placed.
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE for the filter; E_CAPACITY, E_DESTROYED
  */
 export function openQuery(
@@ -106,9 +107,10 @@ export function openQuery(
   reach: number,
   filter: QueryFilter,
   shape?: Shape,
+  knownTrees?: number,
 ): RunningQuery {
   const { mask, ignored, seesSensors } = checkBodyFilter(filter);
-  placeParts(world);
+  if (knownTrees === undefined) placeParts(world);
   const { at, shapeAt, words, reals } = queryMemory(world);
   const { Rotation, Collider } = world.addresses;
   const checked = [mask, ignored[0] ?? 0, world.lastId];
@@ -118,7 +120,8 @@ export function openQuery(
   if (shape !== undefined) writeShape(world, shapeAt, shape);
   const seesWalls = checkFlag(filter.walls ?? true, 'walls');
   const kernels = rigidKernels(world);
-  const query = { world, kernels, at, ignored, seesWalls, shapeAt, reals, trees: treesOf(world) };
+  const trees = knownTrees ?? treesOf(world);
+  const query = { world, kernels, at, ignored, seesWalls, shapeAt, reals, trees };
   // Without bounds all bodies are in reach.
   if (query.trees !== 0 && reach !== Infinity) kernels.collectCandidates(at, query.trees);
   return query;
@@ -192,10 +195,12 @@ export function allHits(query: RunningQuery, probe: Probe): Hit[] {
 /** Bodies below which a look at all of them takes no longer than one at the trees. */
 const FEW_BODIES = 200;
 
-function treesOf(world: PhysicsWorld): number {
+/** Address of the table whose trees hold for so many queries about the bodies as they are now, 0 if none do. */
+export function treesOf(world: PhysicsWorld, queries = 1): number {
   if (!isSoftStep(world.integrator) || world.lastId < FEW_BODIES) return 0;
   const { at } = rigidTable(world);
-  const isHeld = rigidKernels(world).treesHold(at, world.lastId + 1, contentVersion(world), poolVersion(world));
+  const versions = [contentVersion(world), poolVersion(world)] as const;
+  const isHeld = rigidKernels(world).treesHold(at, world.lastId + 1, ...versions, BODY, queries);
   return isHeld === 1 ? at : 0;
 }
 

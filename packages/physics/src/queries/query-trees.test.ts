@@ -15,6 +15,7 @@ import {
   type Random,
   rayCast,
   rayCastAll,
+  rayCastMany,
   restore,
   rigidBodies,
   segment,
@@ -176,6 +177,51 @@ test.each(['f32', 'f64'] as const)(
     }
   },
 );
+
+test.each(['f32', 'f64'] as const)(
+  'where no step prepared for them, queries get a tree of their own, in %s',
+  (precision) => {
+    const random = createRandom(17);
+    const world = pile(precision, random);
+    const { Position } = world.components;
+    const expectSame = (seed: number) => {
+      expect(ask(world, createRandom(seed))).toEqual(ask(copyOf(world), createRandom(seed)));
+      expect(usesTrees(world)).toBe(true);
+    };
+    expect(usesTrees(world)).toBe(false);
+    expectSame(1);
+    // As many steps without a query as they wait for one.
+    for (let i = 0; i < 70; i++) step(world, 1 / 60);
+    expect(usesTrees(world)).toBe(false);
+    expectSame(2);
+    // One row, then all of them.
+    Position.x[40] += 3;
+    expectSame(3);
+    for (let id = 1; id <= world.lastId; id++) Position.x[id] += 1000;
+    for (let id = 1; id <= world.lastId; id++) Position.x[id] -= 990;
+    expectSame(4);
+    const saved = snapshot(world);
+    step(world, 1 / 60);
+    restore(world, saved);
+    expect(usesTrees(world)).toBe(false);
+    expectSame(5);
+    step(world, 1 / 60);
+    expectSame(6);
+  },
+);
+
+test('many rays find what they find one by one', () => {
+  const random = createRandom(5);
+  const world = pile('f64', random);
+  for (let i = 0; i < 3; i++) step(world, 1 / 60);
+  const at = () => ({ x: random.uniform(-25, 25), y: random.uniform(-2, 25) });
+  const rays = Array.from({ length: 40 }, () => ({ from: at(), to: at() }));
+  const alone = rays.map(({ from, to }) => rayCast(world, from, to, { ignore: 7 }));
+  expect(alone.filter((hit) => hit !== undefined).length).toBeGreaterThan(20);
+  expect(rayCastMany(world, rays, { ignore: 7 })).toEqual(alone);
+  expect(rayCastMany(world, [])).toEqual([]);
+  expect(() => rayCastMany(world, [rays[0], { from: at(), to: { x: Number.NaN, y: 0 } }])).toThrow(/rays\[1\]/);
+});
 
 test('in a world that takes the snapshot of another, bodies that change one by one are all found', () => {
   const make = () => createPhysicsWorld({ preset: rigidBodies, capacity: 1000 });

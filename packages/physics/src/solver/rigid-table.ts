@@ -125,6 +125,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   take(Word.crowds, CROWD_BYTES);
   take(Word.staticNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.movingNodes, 2 * TREE_NODE_BYTES[precision]);
+  take(Word.ownNodes, 2 * TREE_NODE_BYTES[precision]);
   take(Word.treeRows, TREE_ROW_BLOCK[precision]);
   take(Word.rememberedColumns, REMEMBERED_BLOCK[precision]);
   for (const word of [

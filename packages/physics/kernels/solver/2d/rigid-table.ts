@@ -131,6 +131,11 @@ export class RigidTable {
   rememberedHigh: u32;
   rememberedPool: i32;
   checkedRows: i32;
+  // A tree that is made for queries where these do not hold (own-tree.ts), and how many looked at all rows since the last step.
+  ownNodes: usize;
+  ownNodeCount: i32;
+  ownTreeHolds: i32;
+  looks: i32;
   // Copies of columns after the last step (collision/queries/2d/changed-rows.ts), with their rows; the rows that differ, their number
   // -1 if they are too many.
   rememberedColumns: usize;

@@ -30,7 +30,7 @@ export class TreeNode {
 
 // A row for which a tree is made, and twice the centre of its box. It has the size of a box, of one or two vectors.
 @unmanaged
-class TreeRow {
+export class TreeRow {
   x: real;
   y: real;
   row: i32;
@@ -40,7 +40,7 @@ class TreeRow {
 @inline export const TREE_ROW_BLOCK: usize = 4 * sizeof<real>();
 
 // @ts-ignore: decorator
-@inline function treeRowAt(t: RigidTable, i: i32): TreeRow {
+@inline export function treeRowAt(t: RigidTable, i: i32): TreeRow {
   return changetype<TreeRow>(t.treeRows + <usize>i * TREE_ROW_BLOCK);
 }
 
@@ -65,7 +65,11 @@ class TreeRow {
 
 // Makes a tree of the boxes of all rows of such bodies, and returns the number of its nodes.
 export function buildTree(t: RigidTable, nodes: usize, kinds: u32): i32 {
-  const count = listRows(t, kinds);
+  return buildNodes(t, nodes, listRows(t, kinds));
+}
+
+// The same of the first rows of the list. Their boxes are to be written.
+export function buildNodes(t: RigidTable, nodes: usize, count: i32): i32 {
   return count == 0 ? 0 : buildBelow(t, nodes, 0, 0, count);
 }
 
@@ -160,14 +164,22 @@ export function refitTree(t: RigidTable, nodes: usize, count: i32): f64 {
       copyBox(changetype<FatBox>(node), rowBox(t, node.row));
     } else {
       const a = nodeAt(nodes, i + 1);
-      const b = nodeAt(nodes, a.skip);
-      node.changed = a.changed | b.changed;
-      node.minX = min<real>(a.minX, b.minX);
-      node.minY = min<real>(a.minY, b.minY);
-      node.maxX = max<real>(a.maxX, b.maxX);
-      node.maxY = max<real>(a.maxY, b.maxY);
+      node.changed = a.changed | nodeAt(nodes, a.skip).changed;
+      joinBoxes(nodes, i);
     }
     perimeter += <f64>(node.maxX - node.minX + node.maxY - node.minY);
   }
   return perimeter;
+}
+
+// Gives an inner node the box about those of its children.
+// @ts-ignore: decorator
+@inline export function joinBoxes(nodes: usize, i: i32): void {
+  const node = nodeAt(nodes, i);
+  const a = nodeAt(nodes, i + 1);
+  const b = nodeAt(nodes, a.skip);
+  node.minX = min<real>(a.minX, b.minX);
+  node.minY = min<real>(a.minY, b.minY);
+  node.maxX = max<real>(a.maxX, b.maxX);
+  node.maxY = max<real>(a.maxY, b.maxY);
 }

@@ -1,5 +1,5 @@
-// The bodies that came, moved or changed their shape after a step: the trees of the broad phase do not know where they are now,
-// and a query looks at each of them.
+// The bodies that came, moved or changed their shape since trees were made: these do not know where they are now, and a query looks at
+// each of them.
 import { Columns, columns, get } from '../../../memory/columns';
 import { putWord, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
@@ -17,10 +17,10 @@ const FEW: i32 = 8;
 // Rows that are compared at once: columns end with a multiple of them.
 const GROUP: i32 = 16;
 
-// Ends a step: keeps where bodies and their shapes are.
-export function rememberColumns(t: RigidTable): void {
+// Keeps where bodies and their shapes are.
+export function rememberColumns(t: RigidTable, rows: i32): void {
   const c = columns();
-  const length = (t.rows + GROUP - 1) & -GROUP;
+  const length = (rows + GROUP - 1) & -GROUP;
   t.rememberedRows = length;
   t.changedRowCount = 0;
   const reals = <usize>length * sizeof<real>();

@@ -1,7 +1,7 @@
 // The trees of the broad phase, for queries about bodies as they are after a step. The boxes of the trees are those of the
 // start of the step, so that a query is widened by as far as any body has moved in it. A checksum tells whether anything
 // changed since; the rows that did are then listed once (changed-rows.ts), and the query visits them beside what it finds in the
-// trees, or all rows if they are many.
+// trees, or all rows if they are many. After a few queries that had to look at all rows they get a tree of their own (own-tree.ts).
 import { columns } from '../../../memory/columns';
 import { at } from '../../../memory/lanes';
 import { COLLIDES, WALL, flagsOf, putWord, word } from '../../../solver/2d/body';
@@ -10,35 +10,58 @@ import { RigidTable } from '../../../solver/2d/rigid-table';
 import { TreeNode, nodeAt } from '../../broad-phase/2d/box-tree';
 import { BodyQuery, queryAt } from './body-query';
 import { listChangedRows, rememberColumns } from './changed-rows';
+import { makeOwnTree } from './own-tree';
 
 // Steps without a query after which steps no longer prepare for one.
 const PATIENCE: i32 = 60;
+
+// Queries that look at all rows take as long as it takes to make a tree.
+const LOOKS: i32 = 12;
 
 // Ends a step: keeps what tells later which bodies the trees still hold for. `pool` is the version of the pool of shapes.
 export function rememberPoses(table: usize, version: i32, pool: i32): void {
   const t = changetype<RigidTable>(table);
   t.rememberedVersion = -1;
+  t.ownTreeHolds = 0;
+  t.looks = 0;
   if (t.queryPatience == 0) return;
   t.queryPatience--;
-  rememberColumns(t);
+  rememberColumns(t, t.rows);
   t.rememberedPool = pool;
   noteVersion(t, t.rows, version, checksumOfPoses(t, t.rows));
   // A little more, because sums are rounded.
   t.longestPath = <f64>longestPath(t) * 1.0001;
 }
 
-// Whether the trees and the list of rows that changed tell where all bodies are. The first query after a while finds that they do not.
-export function treesHold(table: usize, rows: i32, version: i32, pool: i32): i32 {
+// Whether trees and the list of rows that changed tell where all bodies are, before so many queries about rows with the components
+// `required`. The first query after a while finds that they do not.
+export function treesHold(table: usize, rows: i32, version: i32, pool: i32, required: u32, queries: i32): i32 {
   const t = changetype<RigidTable>(table);
   t.queryPatience = PATIENCE;
-  if (t.rememberedVersion == -1 || t.rememberedPool != pool || (t.staticTreeValid & t.movingTreeValid) == 0) return 0;
   const sum = checksumOfPoses(t, rows);
-  const known = ((<u64>t.rememberedHigh) << 32) | <u64>t.rememberedLow;
-  if (t.rememberedVersion != version || t.checkedRows != rows || known != sum) {
-    listChangedRows(t, rows);
-    noteVersion(t, rows, version, sum);
+  if (isRemembered(t, pool)) {
+    const known = ((<u64>t.rememberedHigh) << 32) | <u64>t.rememberedLow;
+    if (t.rememberedVersion != version || t.checkedRows != rows || known != sum) {
+      listChangedRows(t, rows);
+      noteVersion(t, rows, version, sum);
+    }
+    if (t.changedRowCount >= 0) return 1;
   }
-  return i32(t.changedRowCount >= 0);
+  t.looks += queries;
+  if (t.looks < LOOKS) return 0;
+  t.looks = 0;
+  makeOwnTree(t, rows, required);
+  t.ownTreeHolds = 1;
+  rememberColumns(t, rows);
+  t.rememberedPool = pool;
+  noteVersion(t, rows, version, sum);
+  return 1;
+}
+
+// @ts-ignore: decorator
+@inline function isRemembered(t: RigidTable, pool: i32): bool {
+  if (t.rememberedVersion == -1 || t.rememberedPool != pool) return false;
+  return (t.ownTreeHolds | (t.staticTreeValid & t.movingTreeValid)) != 0;
 }
 
 // The bodies as they are now are those of the list of changed rows.
@@ -83,14 +106,18 @@ export function collectCandidates(query: usize, table: usize): void {
   const q = queryAt(query);
   q.candidates = t.treeRows;
   q.candidateCount = 0;
-  collectIn(t, q, t.staticNodes, t.staticNodeCount);
-  collectIn(t, q, t.movingNodes, t.movingNodeCount);
+  if (t.ownTreeHolds != 0) collectIn(t, q, t.ownNodes, t.ownNodeCount, 0);
+  else {
+    collectIn(t, q, t.staticNodes, t.staticNodeCount, COLLIDES | WALL);
+    collectIn(t, q, t.movingNodes, t.movingNodeCount, COLLIDES | WALL);
+  }
   for (let i = 0; i < t.changedRowCount; i++) putWord(q.candidates, q.candidateCount++, word(t.changedRows, i));
   sortRows(q.candidates, q.candidateCount);
 }
 
-function collectIn(t: RigidTable, q: BodyQuery, nodes: usize, count: i32): void {
-  const reach = q.reach + <real>t.longestPath;
+// Of the flags of a row in a tree of the broad phase those of `checked` are to be those of a body with a collider.
+function collectIn(t: RigidTable, q: BodyQuery, nodes: usize, count: i32, checked: u32): void {
+  const reach = q.reach + <real>(checked == 0 ? 0 : t.longestPath);
   let i = 0;
   while (i < count) {
     const node = nodeAt(nodes, i);
@@ -100,7 +127,7 @@ function collectIn(t: RigidTable, q: BodyQuery, nodes: usize, count: i32): void 
     }
     i++;
     const row = node.row;
-    if (row <= 0 || (flagsOf(t, row) & (COLLIDES | WALL)) != COLLIDES) continue;
+    if (row <= 0 || (flagsOf(t, row) & checked) != (COLLIDES & checked)) continue;
     putWord(q.candidates, q.candidateCount++, row);
   }
 }
