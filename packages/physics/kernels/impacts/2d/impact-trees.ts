@@ -225,6 +225,8 @@ export function projectStruck(t: RigidTable): void {
 export function weighTrees(t: RigidTable, impact: Impact): bool {
   impact.isWeighed = 1;
   if (impact.treeA < 0 && impact.treeB < 0) return true;
+  // What is welded cannot move apart.
+  if (impact.treeA == impact.treeB && bendsOfTree(jointsOf(t), impact.treeA) == 0) return false;
   startImpulse(t, impact);
   if (columnsA == 0 && columnsB == 0) projectImpact(t, impact);
   const p = pointOf(impact, 0);
