@@ -13,7 +13,7 @@ export { type PrincipalAxes, principalAxes, type TensorInput } from './bodies/pr
 export { setDensity } from './bodies/set-density.ts';
 export { setShape } from './bodies/set-shape.ts';
 export { despawn, spawn } from './bodies/spawn.ts';
-export { type ChainSurface, spawnChain } from './bodies/spawn-chain.ts';
+export { type ChainSurface, type SpawnChainOptions, spawnChain } from './bodies/spawn-chain.ts';
 export { type Compound, type CompoundInput, type CompoundShape, spawnCompound } from './bodies/spawn-compound.ts';
 export { type Progress, spawnMany } from './bodies/spawn-many.ts';
 export { type Solid, type SolidMass, tensorOfParts } from './bodies/tensor-of-parts.ts';

@@ -1,4 +1,5 @@
 // Validates and completes the input of `spawnMany` before anything is created.
+import type { Shape } from '../collision/shapes/2d/shape.ts';
 import { COMPONENTS, type ComponentName, keyOf } from '../components/all.ts';
 import type { ComponentSpec, FieldSpec } from '../components/define.ts';
 import type { WorldView } from '../ecs/body-references.ts';
@@ -13,8 +14,10 @@ import { componentOfKey, lacksVelocity } from './spawn.ts';
 /** A value for each body: one number for all, or an array with one number per body. */
 export type Many = number | ArrayLike<number>;
 
-/** A shape is one for all bodies. */
-type FieldsOfMany<Fields> = { readonly [F in keyof Fields]?: Many | Exclude<Fields[F], number> };
+/** A shape is one for all bodies, or one for each. */
+type FieldsOfMany<Fields> = {
+  readonly [F in keyof Fields]?: Many | Exclude<Fields[F], number> | (F extends 'shape' ? readonly Shape[] : never);
+};
 
 /** Like `BodyInput`, with an array wherever bodies differ. */
 export type ManyInput = {
@@ -33,15 +36,6 @@ type Columns = Record<string, Column>;
 export interface ComponentValues {
   readonly name: ComponentName;
   readonly fields: readonly (readonly [string, Column])[];
-}
-
-/** Returns the values with the index of a shape in those of the collider. */
-export function withShape(components: readonly ComponentValues[], index: number): ComponentValues[] {
-  const setIndex = ({ name, fields }: ComponentValues): ComponentValues => ({
-    name,
-    fields: fields.map(([field, column]) => [field, field === 'shape' ? index : column] as const),
-  });
-  return components.map((component) => (component.name === 'Collider' ? setIndex(component) : component));
 }
 
 /** @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN */

@@ -2,7 +2,6 @@
 // that of adding component by component.
 import { addEntity } from 'bitecs';
 import { warnAboutColor } from '#warnings';
-import { storeShape } from '../collision/shapes/2d/shape.ts';
 import type { ComponentName } from '../components/all.ts';
 import { componentGiver, joinQueries, notifyObservers } from '../ecs/bitecs/add-many.ts';
 import { highestId } from '../ecs/bitecs/entity-index.ts';
@@ -14,8 +13,8 @@ import { cleanRow, openRows } from '../ecs/rows.ts';
 import { PhysicsError } from '../errors/physics-error.ts';
 import { checkFunction, checkWhole, isRecord, mustBe } from '../errors/validate.ts';
 import type { PhysicsWorld } from '../world/types.ts';
-import { resolveShape } from './collider-shape.ts';
-import { type Column, type ComponentValues, checkMany, type ManyInput, withShape } from './many.ts';
+import { type Column, type ComponentValues, checkMany, type ManyInput } from './many.ts';
+import { resolveShapes, withShapes } from './shapes-of-many.ts';
 
 /** Called during creation with the number of bodies created so far. */
 export type Progress = (created: number, count: number) => void;
@@ -23,7 +22,7 @@ export type Progress = (created: number, count: number) => void;
 const CHUNK = 65536;
 
 /**
- * Creates `count` entities with the same components: user observers of additions are called when every body is complete
+ * Creates `count` entities with the same components, and a shape for all or for each: user observers of additions are called when every body is complete
  * (onSet observers are not called), and if one throws, all entities are removed.
  * @returns their ids, ascending if the world never lost a body
  * @throws PhysicsError E_TYPE, E_NONFINITE, E_RANGE, E_UNKNOWN (all values are checked first), E_CAPACITY, E_REENTRANT
@@ -36,10 +35,10 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   assertOutsideStep(world, 'spawnMany', 'Use spawn, or call it after the step.');
   ensureCapacity(world, count);
   if (!isRecord(values)) throw mustBe('an object', values, 'spawnMany');
-  const { body, shape } = resolveShape(world, values);
+  const { body, shapes } = resolveShapes(world, values, count);
   const checked = checkMany(world, body, count);
   warnAboutColorOf(world, checked);
-  const components = shape === undefined ? checked : withShape(checked, storeShape(world, shape));
+  const components = shapes === undefined ? checked : withShapes(world, checked, shapes);
   const ids = new Uint32Array(count);
   world.internal.spawning++;
   try {

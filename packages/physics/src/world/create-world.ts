@@ -244,7 +244,8 @@ function initialInternals(components: Components) {
 
 /**
  * Destroys a world: every later call on it throws E_DESTROYED, except this one, which does nothing. During a step it
- * takes effect at the end of the step. The memory is freed once nothing refers to the world.
+ * takes effect at the end of the step. The memory is freed once nothing refers to the world or to its
+ * columns: keep neither in lists, closures or layers.
  * @throws PhysicsError E_TYPE if the argument is not a world
  */
 export function destroyWorld(world: PhysicsWorld): void {
