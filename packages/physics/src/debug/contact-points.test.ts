@@ -1,4 +1,13 @@
-import { box, contactPoints, createPhysicsWorld, rigidBodies, spawn, step, uniformGravity } from '@principia/physics';
+import {
+  box,
+  circle,
+  contactPoints,
+  createPhysicsWorld,
+  rigidBodies,
+  spawn,
+  step,
+  uniformGravity,
+} from '@principia/physics';
 import { expect, it } from 'vitest';
 
 it.each(['f32', 'f64'] as const)('the contact points of a resting box carry its weight, %s', (precision) => {
@@ -26,6 +35,39 @@ it.each(['f32', 'f64'] as const)('the contact points of a resting box carry its 
   // Two contacts together: m g dt.
   expect((list.impulse[0] + list.impulse[1]) / (2 * g * dt)).toBeCloseTo(1, 3);
 });
+
+it.each(['f32', 'f64'] as const)(
+  'what slides slips as fast as it moves, and what rolls or is carried does not, %s',
+  (precision) => {
+    const world = createPhysicsWorld({
+      preset: rigidBodies,
+      forces: [uniformGravity({ y: -10 })],
+      capacity: 100,
+      precision,
+    });
+    const spawnAt = (x: number, more: object) => spawn(world, { position: { x, y: 0.5 }, ...more });
+    spawn(world, { position: { y: -0.5 }, collider: { shape: box(40, 1), friction: 1 } });
+    spawn(world, { position: { x: 40, y: -0.5 }, collider: { shape: box(20, 1), friction: 1, tangentSpeed: 2 } });
+    // Without friction a box keeps its speed; a disc of 0.5 m at 3 m/s rolls at 6 rad/s clockwise.
+    const slides = spawnAt(0, { velocity: { x: 3 }, collider: { shape: box(1, 1), density: 1, friction: 0 } });
+    const rolls = spawnAt(5, {
+      velocity: { x: 3 },
+      angularVelocity: { z: -6 },
+      collider: { shape: circle(0.5), density: 1, friction: 1 },
+    });
+    const carried = spawnAt(40, { collider: { shape: box(1, 1), density: 1, friction: 1 } });
+    for (let i = 0; i < 60; i++) step(world, 1 / 60);
+    const { count, a, b, ny, slip } = contactPoints(world);
+    const slipOf = (body: number) =>
+      Array.from({ length: count }, (_, i) => i)
+        .filter((i) => a[i] === body || b[i] === body)
+        .map((i) => slip[i]);
+    expect(ny.slice(0, count).every((y) => y > 0.99)).toBe(true);
+    for (const speed of slipOf(slides)) expect(speed).toBeCloseTo(3, 2);
+    for (const speed of [...slipOf(rolls), ...slipOf(carried)]) expect(Math.abs(speed)).toBeLessThan(0.01);
+    expect(Math.abs(world.components.Velocity.x[carried])).toBeCloseTo(2, 2);
+  },
+);
 
 it('no two contacts of one colour move the same body, and contacts of bodies that sleep have none', () => {
   const world = createPhysicsWorld({ preset: rigidBodies, forces: [uniformGravity({ y: -10 })], capacity: 100 });

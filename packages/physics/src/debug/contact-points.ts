@@ -28,6 +28,11 @@ export interface ContactPoints {
   /** Impulse along the normal in the last step, N s. */
   readonly impulse: number[];
   /**
+   * Speed at which the surface of b slides along that of a in the direction (n_y, -n_x), m/s: 0 where they rest or roll on each other, and
+   * where a conveyor belt takes the body along. Sliding sounds are as loud as impulse × |slip|.
+   */
+  readonly slip: number[];
+  /**
    * Colour in the last step, 0 to 30: the solver takes contacts of one colour side by side, because no two of them move the
    * same body. 31 for contacts that found no colour and were taken one at a time, -1 for those between bodies that sleep.
    */
@@ -54,7 +59,18 @@ const viewOf = namedResource('contact points', (world) => {
  */
 export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyList()): ContactPoints {
   assertUsable(world);
-  const lists = [into?.a, into?.b, into?.x, into?.y, into?.nx, into?.ny, into?.separation, into?.impulse, into?.color];
+  const lists = [
+    into?.a,
+    into?.b,
+    into?.x,
+    into?.y,
+    into?.nx,
+    into?.ny,
+    into?.separation,
+    into?.impulse,
+    into?.slip,
+    into?.color,
+  ];
   checkLists(into, lists, 'contactPoints');
   into.count = 0;
   if (!isSoftStep(world.integrator)) return into;
@@ -72,6 +88,7 @@ export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyLi
     into.ny[count] = reals[3];
     into.separation[count] = reals[4];
     into.impulse[count] = reals[5];
+    into.slip[count] = reals[6];
     cursor = kernels.nextContactPoint(table, at, cursor);
   }
   into.count = count;
@@ -79,5 +96,5 @@ export function contactPoints(world: PhysicsWorld, into: ContactPoints = emptyLi
 }
 
 function emptyList(): ContactPoints {
-  return { count: 0, a: [], b: [], x: [], y: [], nx: [], ny: [], separation: [], impulse: [], color: [] };
+  return { count: 0, a: [], b: [], x: [], y: [], nx: [], ny: [], separation: [], impulse: [], slip: [], color: [] };
 }

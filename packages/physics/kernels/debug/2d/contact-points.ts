@@ -1,6 +1,14 @@
 // The contact points of rigid bodies, one after the other, for pictures and logs.
 import { columns, get } from '../../memory/columns';
-import { COVERED, TOUCHING, contactAt, pointOf, slotInOrder } from '../../collision/narrow-phase/2d/rigid-contact';
+import {
+  COVERED,
+  ContactPoint,
+  RigidContact,
+  TOUCHING,
+  contactAt,
+  pointOf,
+  slotInOrder,
+} from '../../collision/narrow-phase/2d/rigid-contact';
 import { word } from '../../solver/2d/body';
 import { RigidTable } from '../../solver/2d/rigid-table';
 
@@ -13,13 +21,14 @@ export class ContactView {
   color: i32;
   next: i32;
   // Point, m, from where a is now; unit normal from a to b; distance of the surfaces when the step began, m; impulse of
-  // the step along the normal, N s.
+  // the step along the normal, N s; speed at which the surface of b slides along that of a in the direction (n_y, -n_x), m/s.
   x: real;
   y: real;
   nx: real;
   ny: real;
   separation: real;
   impulse: real;
+  slip: real;
 }
 
 // Writes the first point from `cursor` on to the record at `view`, and returns the cursor behind it, 0 after the last. The
@@ -47,7 +56,18 @@ export function nextContactPoint(table: usize, view: usize, cursor: i32): i32 {
     to.ny = contact.ny;
     to.separation = point.separation;
     to.impulse = point.totalImpulse;
+    to.slip = slipAt(contact, point);
     return at + 1;
   }
   return 0;
+}
+
+// As the velocities are now, beyond that at which the surfaces themselves run, as conveyor belts do.
+function slipAt(contact: RigidContact, point: ContactPoint): real {
+  const c = columns();
+  const wA = get(c.angularVelocityZ, contact.bodyA);
+  const wB = get(c.angularVelocityZ, contact.bodyB);
+  const vx = get(c.velocityX, contact.bodyB) - wB * point.by - (get(c.velocityX, contact.bodyA) - wA * point.ay);
+  const vy = get(c.velocityY, contact.bodyB) + wB * point.bx - (get(c.velocityY, contact.bodyA) + wA * point.ax);
+  return contact.ny * vx - contact.nx * vy - contact.tangentSpeed;
 }
