@@ -78,6 +78,11 @@ export function bodyId(generationField: string, refusesParts = false): FieldSpec
   return { ...u32('id', { bounds: { min: 1 } }), generationField, refusesParts };
 }
 
+/** The same, where 0 stands for the world. */
+export function bodyIdOrWorld(generationField: string, refusesParts = false): FieldSpec<'u32'> {
+  return { ...bodyId(generationField, refusesParts), bounds: u32('id').bounds };
+}
+
 /**
  * Normalises fields that form a direction to length 1.
  * @param hint the hint of the error for a zero direction

@@ -1,5 +1,5 @@
 import { PhysicsError } from '../errors/physics-error.ts';
-import { bodyId, defineComponent, real, u32 } from './define.ts';
+import { bodyId, bodyIdOrWorld, defineComponent, real, u32 } from './define.ts';
 
 /** Kinds of joints, by the number in `Joint.kind`: that of kernels/joints/2d/joint-table.ts. */
 export const JOINT_KINDS = [
@@ -27,7 +27,7 @@ export const Joint = defineComponent({
     /** 0 revolute, 1 distance, 2 weld, 3 prismatic, 4 wheel, 5 motor, 6 pulley, 7 gear, 8 filter. */
     kind: u32('', { bounds: { max: JOINT_KINDS.length - 1 } }),
     /** The bodies it joins, by id; a is 0 where b is joined to the world. */
-    a: bodyId('aGeneration', true),
+    a: bodyIdOrWorld('aGeneration', true),
     b: bodyId('bGeneration', true),
     /** Which life of those ids is meant; filled in by the engine. */
     aGeneration: u32(''),

@@ -76,8 +76,9 @@ export function checkField(space: WorldView, spec: FieldSpec, name: string, valu
   if (value === Infinity && spec.infinite !== undefined) return spec.infinite;
   const given = spec.isFlag === true && typeof value === 'boolean' ? Number(value) : value;
   const checked = isStored(space.precision, spec, given) ? given : refuseNumber(spec, name, given, entity);
-  if (spec.generationField !== undefined) checkBodyId(space, name, checked, entity);
-  if (spec.refusesParts === true) checkNoPart(space, name, checked, entity);
+  // No body has the id 0: where it is allowed it stands for the world.
+  if (spec.generationField !== undefined && checked !== 0) checkBodyId(space, name, checked, entity);
+  if (spec.refusesParts === true && checked !== 0) checkNoPart(space, name, checked, entity);
   if (checked !== 0 && spec.spatial === true && space.dimensions === 2) {
     throw new PhysicsError('E_RANGE', `${name} must be 0 in a 2D world, got ${checked}.`, {
       entity,

@@ -352,3 +352,20 @@ test('a spring that is too fast for the sub-steps is damped, and stays stable', 
     expect(energy(world).total).toBeLessThan(start + 2 * G * speed * (DT / 8) + 1e-9);
   }
 });
+
+test('a joint to the world is copied by its columns', () => {
+  const world = rigidWorld();
+  const [one, other] = [1, 5].map((x) => spawn(world, { position: { x }, collider: { shape: box(1, 1), density: 1 } }));
+  const joint = createJoint(world, revolute({ b: one, anchor: {} }));
+  const { Joint, Position } = world.components;
+  const columns = Joint as unknown as Record<string, ArrayLike<number>>;
+  const fields = Object.keys(columns).filter((field) => !/Generation|started/.test(field));
+  const values = Object.fromEntries(fields.map((field) => [field, columns[field][joint]]));
+  expect(values.a).toBe(0);
+  // The other hangs 4 m further on, at its own anchor.
+  spawn(world, { joint: { ...values, b: other, ax: 4 } });
+  run(world, 1);
+  expect(Position.x[other] - Position.x[one]).toBeCloseTo(4, 6);
+  expect(Position.y[other]).toBeCloseTo(Position.y[one], 6);
+  expect(Math.hypot(Position.x[one], Position.y[one])).toBeCloseTo(1, 3);
+});
