@@ -19,6 +19,24 @@ export function warnAboutBodies(world: PhysicsWorld): void {
   warnAboutEmptyCompounds(world);
   findKinematic(world);
   warnAboutValuesOfParts(world);
+  warnAboutFarGround(world);
+}
+
+/** Farther than this, m, neighbouring numbers of f32 are 1 mm apart: a fifth of what contacts overlap, and a quarter of what 1 m/s is a sub-step. */
+const FAR = 2 ** 13;
+
+/** Warns about ground that is too far off for f32. What moves may fall so far, and is not meant. */
+function warnAboutFarGround(world: PhysicsWorld): void {
+  if (world.precision !== 'f32' || world.integrator.solvesWalls !== true) return;
+  const { Mass, Position, Collider } = world.components;
+  const isFar = (id: number) => Math.max(Math.abs(Position.x[id]), Math.abs(Position.y[id])) > FAR;
+  const ground = firstRow(world, (id) => Collider.radius[id] > 0 && !(Mass.value[id] > 0) && isFar(id));
+  if (ground === 0) return;
+  const warning = {
+    message: `body ${ground} is at (${Position.x[ground]}, ${Position.y[ground]}) m, where numbers of f32 are 1 mm apart or more: what is slow stands still there, joints open, and stacks do not fall asleep.`,
+    hint: "Make the world with `precision: 'f64'`, or keep what is played within 8 km of the origin.",
+  };
+  warnOnce(world, warning, 'far ground');
 }
 
 /** What acts on the body of a part, or says how it may move. */
