@@ -15,6 +15,7 @@ import {
   REMEMBERED_BLOCK,
   RIGID_CONTACT_SIZE,
   RIGID_TABLE_BYTES,
+  ROW_GROUP_BYTES,
   SLEEPER_BYTES,
   TREE_NODE_BYTES,
   TREE_ROW_BLOCK,
@@ -117,6 +118,7 @@ function takeRows(world: PhysicsWorld, words: Uint32Array): void {
   const take = (word: Word, size: number) => {
     words[word] = allocate(internal.arena, size * rows, 'rigid bodies', NO_ROOM);
   };
+  words[Word.rowGroups] = allocate(internal.arena, ROW_GROUP_BYTES * (rows / 16 + 1), 'rigid bodies', NO_ROOM);
   take(Word.states, 8 * bytes);
   take(Word.poses, 8 * bytes);
   take(Word.boxes, 4 * bytes);

@@ -42,6 +42,7 @@ import { wakeIsland, wasDisturbed } from './islands';
 import { listLocked } from './motion-locks';
 import { kindOfPart, linkParts, placeParts, turnTo } from './parts';
 import { RigidTable } from './rigid-table';
+import { GROUP, isPassed, passOver, settle } from './settled-rows';
 import { hasNewCollider, recordCollider, sleeperOf } from './sleeper';
 import { isValidWall, placeWall } from './walls';
 
@@ -66,11 +67,17 @@ export function gatherBodies(table: usize): void {
   // Entities that are gone may have left rows at the end.
   const end = max<i32>(t.rows, t.lastRows);
   t.lastRows = t.rows;
-  for (let row = 1; row < end; row++) {
-    if ((<u32>word(t.members, row) & t.attachmentBit) == 0) classify(t, row, kindOf(columns(), t, row));
-  }
+  const c = columns();
+  for (let first = 0; first < end; first += GROUP) if (!passOver(c, t, first)) classifyGroup(c, t, first, end);
   if (t.partCount > 0) classifyParts(t);
   list(t, true);
+  for (let first = 0; first < end; first += GROUP) settle(c, t, first);
+}
+
+function classifyGroup(c: Columns, t: RigidTable, first: i32, end: i32): void {
+  for (let row = max<i32>(first, 1); row < min<i32>(first + GROUP, end); row++) {
+    if ((<u32>word(t.members, row) & t.attachmentBit) == 0) classify(t, row, kindOf(c, t, row));
+  }
 }
 
 // Parts come after all bodies, because they are of the kind of theirs.
@@ -121,6 +128,10 @@ function list(t: RigidTable, isFirst: bool): void {
   let awake = 0;
   t.asleepCount = 0;
   for (let row = 1; row < t.rows; row++) {
+    if ((row & (GROUP - 1)) == 0 && isPassed(t, row)) {
+      row += GROUP - 1;
+      continue;
+    }
     const flags = flagsOf(t, row);
     if ((flags & ASLEEP) != 0) t.asleepCount++;
     if ((flags & (MOVES | STATIC)) == 0 || (flags & (ASLEEP | PART)) != 0) continue;

@@ -93,6 +93,8 @@ export class RigidTable {
   bodyGenerations: usize;
   filters: usize;
   usedColors: usize;
+  // Groups of rows that a step may pass over, class RowGroup (settled-rows.ts).
+  rowGroups: usize;
   // By row, of a body that is fast: the fraction of the step at which it was stopped, f32.
   stops: usize;
   // Rows of the bullets among the fast bodies, which are swept after all others.

@@ -22,6 +22,7 @@ import {
 } from '../../../solver/2d/body';
 import { bodyOf } from '../../../solver/2d/parts';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { GROUP, isPassed } from '../../../solver/2d/settled-rows';
 import { shapeAt } from '../../../solver/2d/walls';
 
 @unmanaged
@@ -87,6 +88,10 @@ export function updateBoxes(t: RigidTable): void {
   t.enlargedCount = 0;
   t.enlargedStatics = 0;
   for (let row = 1; row < t.rows; row++) {
+    if ((row & (GROUP - 1)) == 0 && isPassed(t, row)) {
+      row += GROUP - 1;
+      continue;
+    }
     const flags = flagsOf(t, row);
     if ((flags & COLLIDES) == 0 || (flags & ASLEEP) != 0) continue;
     const box = rowBox(t, row);
