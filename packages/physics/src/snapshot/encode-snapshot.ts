@@ -55,7 +55,8 @@ export interface EncodedForce {
 }
 
 /**
- * Returns a snapshot as bytes, for a file, a worker or another machine, where `decodeSnapshot` reads them.
+ * Returns a snapshot as bytes, for a file, a worker or another machine, where `decodeSnapshot` reads them in a world made in the same way by
+ * the same version of the package. Saved games that are to outlive an update are better written as JSON of what the game needs.
  * @throws PhysicsError E_TYPE for a value that is no snapshot; E_UNKNOWN if a resource of one's own has no `name`
  */
 export function encodeSnapshot(snapshot: Snapshot): Uint8Array {
