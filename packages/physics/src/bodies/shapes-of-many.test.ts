@@ -8,6 +8,7 @@ import {
   type PhysicsWorld,
   polygon,
   rigidBodies,
+  shapeAt,
   spawn,
   spawnChain,
   spawnMany,
@@ -63,6 +64,14 @@ it.each([
     step(other, 1 / 60);
   }
   expect(valuesOf(one)).toEqual(valuesOf(other));
+});
+
+it('a thousand different shapes are those of their bodies', () => {
+  const world = createPhysicsWorld({ preset: rigidBodies, capacity: 2000 });
+  const many = Array.from({ length: 1000 }, (_, i) => box(1, 1 + i / 1000));
+  const ids = spawnMany(world, many.length, { position: {}, collider: { shape: many } });
+  const { shape } = world.components.Collider;
+  for (const [i, id] of ids.entries()) expect(shapeAt(world, shape[id])).toBe(many[i]);
 });
 
 it('masses may be given for each', () => {

@@ -38,10 +38,11 @@ export function spawnMany(world: PhysicsWorld, count: number, values: ManyInput,
   const { body, shapes } = resolveShapes(world, values, count);
   const checked = checkMany(world, body, count);
   warnAboutColorOf(world, checked);
-  const components = shapes === undefined ? checked : withShapes(world, checked, shapes);
   const ids = new Uint32Array(count);
+  // The shapes that are stored now are in no column yet, and are kept nevertheless.
   world.internal.spawning++;
   try {
+    const components = shapes === undefined ? checked : withShapes(world, checked, shapes);
     const names = components.map(({ name }) => name);
     createEntities(world, names, ids, progress);
     writeColumns(world, components, ids);
