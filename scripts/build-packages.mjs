@@ -1,7 +1,8 @@
 /**
  * Builds every package for publishing, in its `dist`: a JavaScript module and a declaration file for each source that its
  * entries reach. One module a source, because a bundler drops whole modules of a package without side effects, and finds
- * far less to drop in one large file. There are no source maps: the modules are the sources without their types.
+ * far less to drop in one large file. There are no source maps: the modules are the sources without their types. The
+ * package of the physics gets the pages of `docs`, too.
  *
  * As a program: `node scripts/build-packages.mjs`. As a function: `await buildPackages()`.
  */
@@ -13,6 +14,7 @@ import { packageFolder, packageNames, sourcesByImport, sourcesOf } from './lib/p
 import { cacheFolder, resolveInstalled, root } from './lib/paths.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
 import { runNode } from './lib/run.mjs';
+import { shipPages } from './lib/shipped-pages.mjs';
 
 export async function buildPackages() {
   await buildKernels();
@@ -26,6 +28,7 @@ export async function buildPackages() {
     // Npm puts it into every tarball; the repository needs it once.
     cpSync(`${root}/LICENSE`, `${packageFolder(name)}/LICENSE`);
   }
+  shipPages(`${packageFolder('physics')}/docs`);
 }
 
 /**

@@ -4,7 +4,7 @@
  * and whether the programs on their front pages run.
  */
 import { execFile } from 'node:child_process';
-import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { promisify } from 'node:util';
 import { build, transform } from 'esbuild';
 import { publint } from 'publint';
@@ -13,13 +13,14 @@ import { codeOf, packageNames, readmeOf, sourcesByImport } from './lib/packages.
 import { withPackedPackages } from './lib/packed-packages.mjs';
 import { resolveInstalled, root } from './lib/paths.mjs';
 import { reportFailure } from './lib/report-failure.mjs';
+import { shippedPages } from './lib/shipped-pages.mjs';
 
 const attw = resolveInstalled('@arethetypeswrong/cli/package.json').replace(/package\.json$/, 'dist/index.js');
 const typescript = resolveInstalled('typescript/package.json').replace(/package\.json$/, 'bin/tsc');
 
 try {
   const problems = await withPackedPackages(async (project, packed) => {
-    const found = [packed.flatMap(wrongFiles)];
+    const found = [packed.flatMap(wrongFiles), missingPages(project, packed)];
     for (const one of packed) found.push(await lint(one));
     found.push(...(await Promise.all(packed.map(wrongTypes))));
     writePrograms(project);
@@ -40,14 +41,35 @@ try {
  * @returns {string[]}
  */
 function wrongFiles({ name, files }) {
-  const missing = ['LICENSE', 'README.md', 'package.json', 'dist/index.js', 'dist/index.d.ts'].filter(
+  const pages = name === 'physics' ? shippedPages.map((page) => `docs/${page}`) : [];
+  const missing = ['LICENSE', 'README.md', 'package.json', 'dist/index.js', 'dist/index.d.ts', ...pages].filter(
     (file) => !files.includes(file),
   );
-  const needless = files.filter((file) => !/^(LICENSE|README\.md|package\.json|dist\/.*\.(js|d\.ts))$/.test(file));
+  const expected = /^(LICENSE|README\.md|package\.json|dist\/.*\.(js|d\.ts))$/;
+  const needless = files.filter((file) => !expected.test(file) && !pages.includes(file));
   return [
     ...missing.map((file) => `${name}: ${file} is not in the tarball`),
     ...needless.map((file) => `${name}: nobody needs ${file} in the tarball`),
   ];
+}
+
+/**
+ * Pages that comments in declarations name, such as `docs/step.md`, and that the physics, which every package needs, does
+ * not ship.
+ * @param {string} project
+ * @param {readonly import('./lib/packed-packages.mjs').Packed[]} packed
+ */
+function missingPages(project, packed) {
+  const shipped = packed.find(({ name }) => name === 'physics')?.files ?? [];
+  return packed.flatMap(({ name }) => {
+    const folder = `${project}/node_modules/@principia/${name}`;
+    const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.d.ts'));
+    return files.flatMap((file) => {
+      const pages = readFileSync(`${folder}/${file}`, 'utf8').match(/\bdocs\/[\w-]+\.md\b/g) ?? [];
+      const lost = pages.filter((page) => !shipped.includes(page));
+      return lost.map((page) => `${name}: ${file} names ${page}, which is not in the tarball of the physics`);
+    });
+  });
 }
 
 /** @param {import('./lib/packed-packages.mjs').Packed} packed */

@@ -32,7 +32,7 @@ describe.each(packageNames)('the manifest of %s', (name) => {
 
   it('lets bundlers drop what is not used, and exports itself', () => {
     expect(manifest.sideEffects).toBe(false);
-    expect(manifest.files).toEqual(['dist']);
+    expect(manifest.files).toEqual(name === 'physics' ? ['dist', 'docs'] : ['dist']);
     expect(manifest.exports['./package.json']).toBe('./package.json');
   });
 
