@@ -10,9 +10,11 @@ export interface CameraTarget {
  * Sets a container's transform to the camera's view. Layers in it must have the default `pixelsPerMetre: 1`; sprites
  * and text in it are placed at (x, −y) in metres and stay upright, or at (x, y) in a `createWorldContainer`.
  *
- * Call it each frame: it sets one transform, and nothing if the camera did not move. In a world too large for f32, do
- * give it a render group, such as the stage, whose transform pixi sends to the GPU by itself, rounded to f32: give it a
- * container of your own in the stage.
+ * Call it each frame: it sets one transform, and nothing if the camera did not move.
+ *
+ * In a world too large for f32, apply it to a container of your own in the stage, and move the origin of the layers with the
+ * camera: `layer.setOrigin(camera.x, camera.y)`. Pixi then adds both offsets in f64. Do not apply it to the stage there, nor
+ * to another render group: pixi sends the transform of a render group to the GPU by itself, rounded to f32.
  *
  * @param viewport size of the renderer's screen, CSS pixels
  * @throws Error when the camera is at no finite place, or its scale not above zero; the container then stays as it is
