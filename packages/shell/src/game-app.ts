@@ -81,6 +81,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.session.paused = address.manual;
     this.layout = createLayout({
       title: game.title,
+    this.session.afterStep = () => this.sidebar?.plot.record(this.session.sim.world);
       parent,
       isSheet: game.hasSheet,
       onSidebar: () => this.views.view?.fit(),

@@ -174,6 +174,12 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
    * digits that begin with a small letter. Default none.
    */
   readonly quantities?: Readonly<Record<string, GameQuantity<Sim>>>;
+  /**
+   * Time between two rows of the plot and its CSV, s, rounded to whole steps. Default each step has one, 12 s of them (40 s of one
+   * quantity against another), at most 24 000; where reading the values would take more than a twentieth of the time, as the energy of a galaxy
+   * does, they are further apart by themselves, at most 0.05 s or one step. The plot then says how far.
+   */
+  plotInterval?(sim: Sim): number;
   /** Creates the game's own cards in the sidebar, below the settings; it is called after the first frame. */
   cards?(parent: HTMLElement): Promise<readonly GameCard<Sim>[]>;
   /** Address of what is on display. Default: that of its settings, its seed, its renderer and its plot. */

@@ -12,6 +12,7 @@ export function drawTimeMark(chart: uPlot, time: number): void {
   ctx.fillRect(x, top, Math.max(1, Math.round(devicePixelRatio)), height);
 }
 
+const HALF_PIXEL = 0.5;
 /** Radius of a dot, CSS pixels. */
 const DOT_RADIUS = 4;
 
@@ -36,8 +37,15 @@ export function drawPath(chart: uPlot, series: number): null {
   ctx.rect(left, top, width, height);
   ctx.clip();
   ctx.beginPath();
+  let [lastX, lastY] = [Number.NaN, Number.NaN];
   for (let i = 0; i < xs.length; i++) {
-    ctx.lineTo(chart.valToPos(xs[i], 'x', true), chart.valToPos(ys[i], 'y', true));
+    const x = chart.valToPos(xs[i], 'x', true);
+    const y = chart.valToPos(ys[i], 'y', true);
+    // There are rows for each step, and nobody sees half a pixel.
+    if (Math.abs(x - lastX) < HALF_PIXEL && Math.abs(y - lastY) < HALF_PIXEL) continue;
+    ctx.lineTo(x, y);
+    lastX = x;
+    lastY = y;
   }
   const stroke = chart.series[series].stroke as unknown;
   ctx.strokeStyle = typeof stroke === 'function' ? stroke(chart, series) : String(stroke);

@@ -12,6 +12,7 @@ import {
   sourceOf,
   totalsOf,
 } from './plot-sources.ts';
+import { siNumber } from './si-number.ts';
 import { words } from './words.ts';
 
 const ANY = 'Any value';
@@ -35,6 +36,7 @@ export class PlotControls {
   readonly #against = select(words().againstHint, [[TIME, words().againstTime]]);
   readonly #which: HTMLElement;
   readonly #names = element('span', '');
+  readonly #every = element('small', '', { title: words().plotEvery });
 
   /** @param own quantities of the game's own @param save hands the numbers to the reader */
   constructor(
@@ -62,7 +64,7 @@ export class PlotControls {
       button(phasePortrait, phaseHint, () => choose('phase')),
       button('CSV', saveNumbers, save),
     );
-    const heading = element('h2', '', {}, this.#choice, this.#names);
+    const heading = element('h2', '', {}, this.#choice, this.#every, this.#names);
     this.card = element('section', 'game-card', { 'aria-label': plot }, heading, this.#which, axis, buttons);
     parent.append(this.card);
     for (const control of [this.#choice, this.#column, this.#body, this.#against]) {
@@ -127,6 +129,11 @@ export class PlotControls {
       source: sourceOf(isColumn ? this.#column.value || 'Energy' : this.#choice.value, body, dimensions, this.#own),
       against: this.isPath ? quantitySource(this.#against.value, body, dimensions, this.#own) : undefined,
     };
+  }
+
+  /** Says how far apart rows are where they are fewer than steps. @param interval s; 0 says nothing */
+  showInterval(interval: number): void {
+    this.#every.textContent = interval === 0 ? '' : `Δt ${siNumber(interval, 's')}`;
   }
 
   /** The quantities of the game's own with their names on the page. */

@@ -4,7 +4,7 @@ import { timeOptions } from './plot-options.ts';
 
 it('leaves the numbers beside a plot the width of the widest', () => {
   const source = { unit: 'm', series: ['x'], read: () => {} };
-  const { axes = [] } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const { axes = [] } = timeOptions(source, ['#fff'], () => Number.NaN);
   const width = (...numbers: string[]) => {
     // Each character is seven pixels wide.
     const ctx = { save() {}, restore() {}, font: '', measureText: (text: string) => ({ width: 7 * text.length }) };
@@ -17,7 +17,7 @@ it('leaves the numbers beside a plot the width of the widest', () => {
 
 it('leaves half of the last number its room at the right, however long the game runs', () => {
   const source = { unit: 'm', series: ['x'], read: () => {} };
-  const { padding = [] } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const { padding = [] } = timeOptions(source, ['#fff'], () => Number.NaN);
   const room = (max: number) => {
     // Each character is seven pixels wide.
     const ctx = { save() {}, restore() {}, font: '', measureText: (text: string) => ({ width: 7 * text.length }) };
@@ -29,7 +29,7 @@ it('leaves half of the last number its room at the right, however long the game 
 
 it('shows the range of the values that there are, and zero', () => {
   const source = { unit: 'm', series: ['x'], read: () => {} };
-  const { scales = {} } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const { scales = {} } = timeOptions(source, ['#fff'], () => Number.NaN);
   const range = (...values: number[]) => {
     const data = [Float64Array.from(values, (_, i) => i), Float64Array.from(values)];
     return (scales.y.range as (chart: uPlot) => [number, number])({ data } as unknown as uPlot);
@@ -41,7 +41,7 @@ it('shows the range of the values that there are, and zero', () => {
 
 it('begins with the time 0, and then shows the last seconds', () => {
   const source = { unit: 'm', series: ['x'], read: () => {} };
-  const { scales = {} } = timeOptions(source, ['#fff'], 12, () => Number.NaN);
+  const { scales = {} } = timeOptions(source, ['#fff'], () => Number.NaN);
   const range = scales.x.range as (chart: unknown, low: number, high: number) => [number, number];
   expect(range(undefined, 0, 0)).toEqual([0, 1]);
   expect(range(undefined, 0, 5)).toEqual([0, 5]);

@@ -3,6 +3,7 @@ import type uPlot from 'uplot';
 import { drawDot, drawPath, drawTimeMark } from './path-plot.ts';
 import type { PlotSource } from './plot-sources.ts';
 import { rangeAbout } from './range-about.ts';
+import { RANGES } from './sampling.ts';
 import type { SeriesHistory } from './series-history.ts';
 import { siNumber } from './si-number.ts';
 
@@ -55,24 +56,19 @@ const SIZE = {
   cursor: { show: false },
 };
 
-/** The last seconds, and none before the time 0 unless there are samples of it. */
-function lastSeconds(low: number, high: number, seconds: number): [number, number] {
-  return [Math.min(low, Math.max(0, high - seconds)), Math.max(high, low + 1)];
+/** The last seconds, and none before the time 0 unless there are rows of it. */
+function lastSeconds(low: number, high: number): [number, number] {
+  return [Math.min(low, Math.max(0, high - RANGES.time)), Math.max(high, low + 1)];
 }
 
-/** @param seconds width of the time axis @param mark the time where a line is drawn, s, or not a number */
-export function timeOptions(
-  source: PlotSource,
-  colors: readonly string[],
-  seconds: number,
-  mark: () => number,
-): uPlot.Options {
+/** @param mark the time where a line is drawn, s, or not a number */
+export function timeOptions(source: PlotSource, colors: readonly string[], mark: () => number): uPlot.Options {
   return {
     ...SIZE,
     padding: [6, halfOfLast, 0, 0],
     hooks: { draw: [(chart) => drawTimeMark(chart, mark())] },
     scales: {
-      x: { time: false, range: (_, low, high) => lastSeconds(low, high, seconds) },
+      x: { time: false, range: (_, low, high) => lastSeconds(low, high) },
       y: { range: ({ data }) => rangeWithZero(data.slice(1) as Float64Array[]) },
     },
     axes: axes(secondsText, source),

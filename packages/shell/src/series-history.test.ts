@@ -4,9 +4,9 @@ import { siNumber } from './si-number.ts';
 
 const at = (time: number) => [time, 2 * time, 3 * time];
 
-it('keeps the last samples in the same memory', () => {
-  const history = new SeriesHistory(3, 4, 0.1);
-  for (const time of [0, 1, 2]) history.add(time, at(time));
+it('keeps the last rows in the same memory', () => {
+  const history = new SeriesHistory(3, 4);
+  for (const time of [0, 1, 2]) history.add(time, time, at(time));
   expect(history.data().map((column) => [...column])).toEqual([
     [0, 1, 2],
     [0, 1, 2],
@@ -14,27 +14,32 @@ it('keeps the last samples in the same memory', () => {
     [0, 3, 6],
   ]);
   const { buffer } = history.data()[0];
-  for (let time = 3; time < 1000; time++) history.add(time, at(time));
-  expect([...history.data()[3]]).toEqual([996, 997, 998, 999].map((time) => 3 * time));
+  for (let time = 3; time < 1000; time++) {
+    history.add(time, time, at(time));
+    expect([...history.data()[3]]).toEqual([3, 2, 1, 0].filter((ago) => ago <= time).map((ago) => 3 * (time - ago)));
+  }
   expect(history.data()[0].buffer).toBe(buffer);
   history.clear();
   expect(history.count).toBe(0);
 });
 
-it('asks for a sample at most once an interval', () => {
-  const history = new SeriesHistory(3, 4, 0.05);
-  expect(history.isDue(0)).toBe(true);
-  history.add(0, at(0));
-  expect([1 / 60, 2 / 60, 3 / 60].map((time) => history.isDue(time))).toEqual([false, false, true]);
+it('forgets the future when somebody went back', () => {
+  const history = new SeriesHistory(1, 8);
+  for (const tick of [0, 1, 2, 3]) history.add(tick, 0.1 * tick, [tick]);
+  expect(history.lastBefore(0.15)).toBe(1);
+  expect(history.discardFrom(2)).toBe(true);
+  expect(history.discardFrom(2)).toBe(false);
+  expect([...history.data()[1]]).toEqual([0, 1]);
+  expect(history.lastBefore(0.35)).toBe(1);
 });
 
-it('forgets the future when somebody went back', () => {
-  const history = new SeriesHistory(1, 8, 0.1);
-  for (const time of [0, 1, 2, 3]) history.add(time, [time]);
-  expect(history.discardAfter(1.5)).toBe(true);
-  expect(history.discardAfter(1.5)).toBe(false);
-  expect([...history.data()[1]]).toEqual([0, 1]);
-  expect(history.isDue(1.6)).toBe(true);
+it('thins out what it has to evenly spaced rows', () => {
+  const history = new SeriesHistory(1, 5);
+  for (let tick = 0; tick < 9; tick++) history.add(tick, tick / 10, [tick]);
+  history.thin(2, 4);
+  expect([...history.data()[1]]).toEqual([4, 6, 8]);
+  for (const tick of [10, 12]) history.add(tick, tick / 10, [tick]);
+  expect([...history.data()[1]]).toEqual([6, 8, 10, 12]);
 });
 
 it('writes numbers short', () => {

@@ -29,6 +29,8 @@ export class Session<S extends Settings, Sim extends Simulation> {
   steps = 0;
   /** Bodies use the colour-blind palette. */
   safeColors = false;
+  /** Called after each step; default nothing. */
+  afterStep = () => {};
   #sim: Sim | undefined;
   #dragging: Dragging | undefined;
   #runner: Runner | undefined;
@@ -107,7 +109,11 @@ export class Session<S extends Settings, Sim extends Simulation> {
       ...(limit === undefined ? {} : { limit }),
       ...(maxSpeed === undefined ? {} : { maxSpeed }),
     });
-    this.#runner = createRunner(sim.world, { dt: sim.dt, maxFrame: Math.max(MAX_FRAME, sim.dt) });
+    this.#runner = createRunner(sim.world, {
+      dt: sim.dt,
+      maxFrame: Math.max(MAX_FRAME, sim.dt),
+      afterStep: () => this.afterStep(),
+    });
     this.#steppedManually = true;
     this.#rewoundAttempt = undefined;
     this.#rewindTime = undefined;
@@ -216,14 +222,14 @@ export class Session<S extends Settings, Sim extends Simulation> {
     return this.#sim === undefined || !this.game.apply(this.#sim, name, this.values);
   }
 
-  /** Takes `count` steps at once, even while paused. @param record called after each of them */
-  step(count = 1, record?: () => void): void {
+  /** Takes `count` steps at once, even while paused. */
+  step(count = 1): void {
     const { world, dt } = this.sim;
     const start = this.#clock();
     for (let i = 0; i < count; i++) {
       step(world, dt);
       this.#history?.record();
-      record?.();
+      this.afterStep();
     }
     this.#rewindTime = undefined;
     this.#measureStep(start, count);

@@ -17,7 +17,7 @@ export interface Sidebar<Sim extends Simulation> {
   readonly plot: PlotCard;
   readonly profile: ProfileCard;
   readonly tools: ToolsCard;
-  /** Records the values of plots; call it after the steps of a frame. */
+  /** Records the values of plots and cards; call it after the steps of a frame, and `plot.record` after each of them. */
   record(sim: Sim, isPast: boolean): void;
   /** Shows the values; call it a few times a second. */
   show(sim: Sim, statistics: Statistics): void;
@@ -45,7 +45,14 @@ export async function createSidebar<S extends Settings, Sim extends Simulation>(
   const { game, values, set, sim, actions, clip } = options;
   const panel = createPanel(parent, game.settings, values, set);
   const cards = (await game.cards?.(parent)) ?? [];
-  const plot = new PlotCard(parent, () => sim()?.world, game.units, ownQuantities(game.quantities, sim));
+  const plot = new PlotCard(parent, sim, {
+    units: game.units,
+    own: ownQuantities(game.quantities, sim),
+    interval() {
+      const shown = sim();
+      return shown && game.plotInterval?.(shown);
+    },
+  });
   const problem = options.plot === undefined ? '' : plot.choose(options.plot);
   if (problem !== '') options.report(problem);
   const stats = createStats(parent);

@@ -79,7 +79,7 @@ export interface GameHook {
   state(): GameState;
   /** Body number `index`, from 0, in ascending order of ids. @throws Error if there is none */
   body(index: number): BodyState;
-  /** Takes `count` steps at once; plots record each of them. */
+  /** Takes `count` steps at once; plots and cards record each of them, as far as `GameDefinition.plotInterval` lets them. */
   step(count?: number): void;
   /** Rewinds by `seconds` of simulated time, to a snapshot. */
   rewind(seconds: number): void;
@@ -141,7 +141,7 @@ export function offerHook(hook: GameHook, signal: AbortSignal): void {
   });
 }
 
-/** @param restore moves the session to a moment of the past @param record lets plots record a step */
+/** @param restore moves the session to a moment of the past @param record lets cards record a step */
 export function createHook<S extends Settings, Sim extends Simulation>(
   session: Session<S, Sim>,
   page: () => PageState,
@@ -156,7 +156,14 @@ export function createHook<S extends Settings, Sim extends Simulation>(
       return { ...sessionState(session), ...shown, game: session.game.report?.(session.sim) ?? {} };
     },
     body: (index) => bodyState(session, page().view, index),
-    step: (count) => session.step(count, record),
+    step(count = 1) {
+      // There may have been no frame since the world was made.
+      if (count > 0) record();
+      for (let i = 0; i < count; i++) {
+        session.step();
+        record();
+      }
+    },
     rewind: (seconds) => restore(() => session.rewind(seconds)),
     seek: (time) => restore(() => session.seek(time)),
     ...actions,

@@ -5,6 +5,7 @@ const en = {
   against: 'against',
   againstHint: 'Horizontal axis: the time, or any quantity',
   againstTime: 'time',
+  plotEvery: 'Time between two values, of which there is not one for each step: what swings faster looks slow',
   allGames: 'All games',
   asAbove: 'as above',
   body: 'body',
@@ -184,6 +185,8 @@ const de: Words = {
   against: 'über',
   againstHint: 'Waagerechte Achse: die Zeit oder eine beliebige Größe',
   againstTime: 'Zeit',
+  plotEvery:
+    'Zeit zwischen zwei Werten, deren es nicht einen je Schritt gibt: Was schneller schwingt, sieht langsam aus',
   allGames: 'Alle Spiele',
   asAbove: 'wie oben',
   body: 'Körper',
