@@ -135,6 +135,22 @@ describe('time', () => {
   });
 });
 
+describe('the address', () => {
+  it('keeps the settings that the panel, a key or a program changed, so that a reload has them', async () => {
+    const page = await open('manual&seed=3');
+    await page.evaluate(() => __game.set('gravity', 3));
+    await page.evaluate(() => __game.set('count', 7));
+    await page.waitForFunction(() => /gravity=3/.test(location.search));
+    expect(Object.fromEntries(new URL(page.url()).searchParams)).toMatchObject({ gravity: '3', count: '7', seed: '3' });
+    await page.reload();
+    await ready(page);
+    expect(await state(page)).toMatchObject({ seed: 3, count: 7, banner: '', values: { gravity: 3, count: 7 } });
+    await page.locator('.game-side button', { hasText: 'Defaults' }).click();
+    await page.waitForFunction(() => !/gravity|count/.test(location.search));
+    expect(new URL(page.url()).searchParams.get('seed')).toBe('3');
+  });
+});
+
 describe('figures', () => {
   it('E shows energy, momentum, angular momentum, any column, nothing, and energy again', async () => {
     const page = await open('manual&seed=3');

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { readAddress, writeAddress } from './address.ts';
+import { readAddress, withSettings, writeAddress } from './address.ts';
 import { numberSetting, switchSetting } from './settings.ts';
 
 const settings = {
@@ -62,4 +62,11 @@ it('writes what it reads', () => {
   const link = writeAddress('https://example.org/game/?utm_source=x&count=3#part', settings, wanted);
   expect(link).toBe('https://example.org/game/?seed=42&renderer=three&count=7&trails=true&plot=Position.y%2C%2C1#part');
   expect(read(new URL(link).search)).toMatchObject(wanted);
+});
+
+it('changes the settings of an address, and leaves what else it says', () => {
+  const page = 'https://example.org/game/?lang=de&count=3&manual&own=1#part';
+  const link = withSettings(page, settings, { count: 5, trails: true });
+  expect(link).toBe('https://example.org/game/?lang=de&manual=&own=1&trails=true#part');
+  expect(read(new URL(link).search)).toMatchObject({ values: { count: 5, trails: true }, manual: true });
 });

@@ -90,6 +90,16 @@ export function writeAddress<S extends Settings>(
   return url.href;
 }
 
+/** An address with the present settings in place of those that it has; whatever else it says stays. */
+export function withSettings<S extends Settings>(page: string, settings: S, values: ValuesOf<S>): string {
+  const url = new URL(page);
+  for (const [name, { initial }] of Object.entries(settings)) {
+    if (values[name] === initial) url.searchParams.delete(name);
+    else url.searchParams.set(name, String(values[name]));
+  }
+  return url.href;
+}
+
 function fallbackName(fallback: unknown): string {
   const rendererName = { pixi: '2D', three: '3D' }[String(fallback)];
   const { on, off } = words().address;

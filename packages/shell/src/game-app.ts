@@ -1,4 +1,5 @@
 import { type Address, writeAddress } from './address.ts';
+import { keepInAddress } from './address-bar.ts';
 import { type Banner, createBanner } from './banner.ts';
 import { hasCoarsePointer, resumeHint } from './coarse-pointer.ts';
 import { type Actions, type Commands, gameCommands } from './commands.ts';
@@ -66,6 +67,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   readonly #timing = new FrameTimes();
   readonly #stats = noStatistics();
   readonly #place: GamePlace;
+  #onSetting = () => {};
   /** What hears the keys. */
   readonly #keyTarget: HTMLElement | Document;
   /** Ends the listeners of the game. */
@@ -79,9 +81,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.address = address;
     this.session = new Session(game, address.values, address.seed);
     this.session.paused = address.manual;
+    this.session.afterStep = () => this.sidebar?.plot.record(this.session.sim.world);
     this.layout = createLayout({
       title: game.title,
-    this.session.afterStep = () => this.sidebar?.plot.record(this.session.sim.world);
       parent,
       isSheet: game.hasSheet,
       onSidebar: () => this.views.view?.fit(),
@@ -102,7 +104,9 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.sharing = this.#makeSharing();
     this.help = createHelpDialog(root, game.title, this.#commands[hasCoarsePointer() ? 'gestures' : 'help']);
     this.#controls = game.controls && listenToControls(root, game.controls, () => this.session.sim, this.#keyTarget);
-    this.#timeline = game.hasTimeline ? this.#createTimeline() : undefined;
+    const seek = (moment: number) => this.#seek(moment);
+    this.#timeline = game.hasTimeline ? createTimeline(root, this.session, seek, () => this.pause()) : undefined;
+    if (place.ownsAddress) this.#onSetting = keepInAddress(game.settings, this.session.values, signal);
     const watch = game.replay && this.#actions.replay;
     this.#outcome =
       game.outcome &&
@@ -246,11 +250,6 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
     this.failures.guard(() => this.restorePast(() => this.session.seekMoment(moment, !this.#broken)));
   }
 
-  #createTimeline(): Timeline {
-    const seek = (moment: number) => this.#seek(moment);
-    return createTimeline(this.layout.root, this.session, seek, () => this.pause());
-  }
-
   #showStats(): void {
     this.#sinceStats = 0;
     this.#timeline?.show();
@@ -288,6 +287,7 @@ export class GameApp<S extends Settings, Sim extends Simulation> {
   #set(name: string, value: unknown): void {
     if (this.session.set(name, value)) this.#resetWanted = true;
     else this.views.refresh('setting');
+    this.#onSetting();
   }
 
   toggle(name: string): void {

@@ -4,4 +4,6 @@ export interface GamePlace {
   readonly parent: HTMLElement | undefined;
   /** Address of what is on display; undefined for that of its settings, its seed, its renderer and its plot. */
   readonly link: (() => string) | undefined;
+  /** Whether the address of the page is that of the game, which keeps its settings there. */
+  readonly ownsAddress: boolean;
 }

@@ -182,7 +182,10 @@ export interface GameDefinition<S extends Settings, Sim extends Simulation> {
   plotInterval?(sim: Sim): number;
   /** Creates the game's own cards in the sidebar, below the settings; it is called after the first frame. */
   cards?(parent: HTMLElement): Promise<readonly GameCard<Sim>[]>;
-  /** Address of what is on display. Default: that of its settings, its seed, its renderer and its plot. */
+  /**
+   * Address of what is on display. Default: that of its settings, its seed, its renderer and its plot; and a page that the game has to
+   * itself keeps changed settings in its address.
+   */
   link?(): string;
   /** Whether time stands still although the game is not paused: at the end of a run, or while the player holds it. */
   hasEnded?(sim: Sim): boolean;

@@ -2,6 +2,7 @@ import { checkOptions, type OptionNames } from '@principia/render-core';
 import { readAddress } from './address.ts';
 import type { GameDefinition, Simulation } from './game.ts';
 import { GameApp } from './game-app.ts';
+import { isPreview } from './preview.ts';
 import type { Settings } from './settings.ts';
 
 /** Where and with what a game starts. */
@@ -12,8 +13,8 @@ export interface StartOptions {
    */
   readonly parent?: HTMLElement;
   /**
-   * The part of an address with settings and seed; a page that reads names of its own leaves them out. Default
-   * `location.search`, and nothing for a game in an element.
+   * The part of an address with settings and seed; a page that reads names of its own leaves them out, and keeps what changes
+   * in its address itself. Default `location.search`, in which settings then follow the panel, and nothing for a game in an element.
    */
   readonly query?: string;
   /** Sentences about the address, for a page that reads names of its own. Default none. */
@@ -54,10 +55,11 @@ export function startGame<S extends Settings, Sim extends Simulation>(
   const seed = varies ? 1 + (Date.now() % 999_983) : address.seed;
   // An address that the game does not read cannot name what it shows.
   const pageLink = parent !== undefined && query === undefined ? () => location.href : undefined;
+  const ownsAddress = parent === undefined && query === undefined && game.link === undefined && !isPreview;
   const app = new GameApp(
     game,
     { ...address, seed, problems: [...problems, ...address.problems] },
-    { parent, link: game.link?.bind(game) ?? pageLink },
+    { parent, link: game.link?.bind(game) ?? pageLink, ownsAddress },
   );
   return { ready: app.start(), stop: () => app.stop() };
 }
