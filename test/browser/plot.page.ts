@@ -1,5 +1,5 @@
 /** The page of `plot.test.ts`: a mass that swings far faster than the frames, at a thousand steps a second. */
-import { createPhysicsWorld, defineLaw, scalar, spawn, velocityVerlet } from '@principia/physics';
+import { createPhysicsWorld, defineLaw, energy, scalar, spawn, velocityVerlet } from '@principia/physics';
 import { createBodyLayer } from '@principia/render-pixi';
 import { startGame } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
@@ -25,10 +25,12 @@ startGame({
       integrator: velocityVerlet,
       forces: [bowl({ square: OMEGA * OMEGA })],
     });
-    spawn(world, { position: { x: 1 }, velocity: {}, mass: 1, collider: { radius: 0.1 } });
+    spawn(world, { position: { x: 1 }, velocity: {}, mass: 2, collider: { radius: 0.1 } });
     return { world, dt: 1 / 1000 };
   },
   apply: () => true,
+  // In place of the energy of every world.
+  quantities: { perMass: { label: 'Energy', unit: 'J/kg', value: ({ world }) => energy(world).total / 2 } },
   renderers: {
     pixi: {
       label: '2D',

@@ -17,8 +17,8 @@ const [FREQUENCY, DT] = [19, 1 / 1000];
 /** Relative error of the frequency of velocity Verlet, (ω dt)²/24 (Hairer, Lubich and Wanner 2003, section 2.2). */
 const ERROR = (2 * Math.PI * FREQUENCY * DT) ** 2 / 24;
 
-async function play(query: string): Promise<Page> {
-  const { page } = await openPage(browser(), `${served.url}?plot=Position.x,,1${query}`);
+async function play(query: string, plot = 'Position.x,,1'): Promise<Page> {
+  const { page } = await openPage(browser(), `${served.url}?plot=${plot}${query}`);
   await page.waitForFunction(() => globalThis.__game?.state().ready);
   return page;
 }
@@ -99,5 +99,18 @@ test('the picture is a band as high as the oscillation', async () => {
   expect(height).toBeGreaterThan(50);
   expect(spans.length).toBeGreaterThan(100);
   expect(spans.slice(1, -1).filter((span) => span < 0.45 * height)).toEqual([]);
+  await page.close();
+});
+
+test('a quantity of the game takes the place of the one that is called as it, in the list and in the address', async () => {
+  const page = await play('&manual', 'Energy');
+  const lists = page.locator('.game-card[aria-label="Plot"] select');
+  const labels = await lists.first().locator('option').allTextContents();
+  expect(labels).toEqual(['Energy', 'Momentum', 'Angular momentum', 'Any value']);
+  await page.evaluate(() => __game.step(100));
+  expect(await page.evaluate(() => __game.state().plot)).toBe('perMass');
+  const values = (await rowsOf(page)).map(([, value]) => value / (0.5 * (2 * Math.PI * FREQUENCY) ** 2));
+  // The energy of velocity Verlet goes to and fro by (ω dt)²/4 of itself.
+  expect(Math.max(...values.map((value) => Math.abs(value - 1)))).toBeLessThan(6.2 * ERROR);
   await page.close();
 });

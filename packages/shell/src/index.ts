@@ -1,6 +1,7 @@
 /** The parts that all games share: loop, settings panel, plot, keyboard, help and error messages. */
 export { type Address, FIRST_PLOT, readAddress } from './address.ts';
 export { bytesOfText, packText, textOfBytes, unpackText } from './address-text.ts';
+export { chooseWords } from './choose-words.ts';
 export { type ClipButton, type ClipControl, createClipButton } from './clip-button.ts';
 export { hasCoarsePointer } from './coarse-pointer.ts';
 export { type ControlButton, type ControlListener, type Controls, FOUR_WAYS, listenToControls } from './controls.ts';
@@ -26,7 +27,7 @@ export { showHint } from './hint.ts';
 export { dragByJoints } from './joint-dragging.ts';
 export { KeptValue } from './kept-value.ts';
 export { listenToKeys } from './keyboard.ts';
-export { chooseWords, decimal, grouped, inLanguage, type Language, language, withLanguage } from './language.ts';
+export { decimal, grouped, inLanguage, type Language, language, withLanguage } from './language.ts';
 export { dayOf } from './local-day.ts';
 export { browserStore, type LocalStore, readLocal, writeLocal } from './local-store.ts';
 export { speakNumbers } from './number-field.ts';
@@ -58,3 +59,4 @@ export { listenToSteering, type Steering, type SteeringOptions } from './steerin
 export { type SoundShape, Synth } from './synth.ts';
 export { listenToTaps } from './taps.ts';
 export type { BodyState, GameHook, GameState } from './test-hook.ts';
+export type { ShellWords } from './words.ts';

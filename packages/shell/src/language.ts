@@ -1,34 +1,35 @@
 /** The language of the page, and how it writes numbers. */
 
 export const LANGUAGES = ['en', 'de'] as const;
-/** A language of the shell. */
+/** A language that the shell has words in. */
 export type Language = (typeof LANGUAGES)[number];
 
 /** English until a page says that it has its words in all languages: no page mixes two. */
-let spoken: Language = 'en';
+let spoken = 'en';
+/** What stands before the decimals. */
+let sign = '.';
 
-/** The language of the page. */
-export const language = (): Language => spoken;
+/** The language of the page, such as `de`. */
+export const language = (): string => spoken;
 
-/**
- * The language that a reader wants: that of `?lang=`, else the first known one of the browser's, else English.
- * @param query as in `location.search` @param wishes as in `navigator.languages`
- */
-export function preferredLanguage(query: string, wishes: readonly string[]): Language {
-  const asked = new URLSearchParams(query).get('lang') ?? '';
-  const known = [asked, ...wishes].map((wish) => wish.toLowerCase().split('-')[0]);
-  return (known.find((wish) => (LANGUAGES as readonly string[]).includes(wish)) as Language | undefined) ?? 'en';
+/** Changes the language of the page, of `<html lang>` and of numbers. */
+export function speak(name: string): void {
+  spoken = name;
+  const parts = new Intl.NumberFormat(name, { numberingSystem: 'latn' }).formatToParts(0.5);
+  sign = parts.find(({ type }) => type === 'decimal')?.value ?? '.';
+  // A worker has none.
+  if (typeof document !== 'undefined') document.documentElement.lang = name;
 }
 
 /**
- * Chooses the words of a game, and with them the language of its page: of the buttons around it, of `<html lang>` and of
- * numbers. Call it once, where the words stand.
+ * The language that a reader wants: that of `?lang=`, else the first known one of the browser's, else English.
+ * @param query as in `location.search` @param wishes as in `navigator.languages` @param known languages, such as `de`
  */
-export function chooseWords<Words>(texts: Readonly<Record<Language, Words>>): Words {
-  // A worker has no document, but an address.
-  if (typeof location !== 'undefined') spoken = preferredLanguage(location.search, navigator.languages ?? []);
-  if (typeof document !== 'undefined') document.documentElement.lang = spoken;
-  return texts[spoken];
+export function preferredLanguage(query: string, wishes: readonly string[], known: readonly string[]): string {
+  const asked = new URLSearchParams(query).get('lang') ?? '';
+  return (
+    [asked, ...wishes].map((wish) => wish.toLowerCase().split('-')[0]).find((wish) => known.includes(wish)) ?? 'en'
+  );
 }
 
 /** An address with the language that this page was asked for by its own, such as `../index.html?lang=de`. */
@@ -47,11 +48,11 @@ export function decimal(value: number, digits: number): string {
 
 /** A number as JavaScript writes it, with the decimal sign of the language. */
 export function inLanguage(number: string): string {
-  return spoken === 'en' ? number : number.replace('.', ',');
+  return sign === '.' ? number : number.replace('.', sign);
 }
 
 /** Formats with separators between thousands, by language. */
-const GROUPED = new Map<Language, Intl.NumberFormat>();
+const GROUPED = new Map<string, Intl.NumberFormat>();
 
 /** A whole number with separators between thousands. */
 export function grouped(value: number): string {

@@ -47,9 +47,11 @@ export class PlotControls {
     save: () => void,
   ) {
     this.#own = own;
+    // A quantity of the game's takes the place of the one that is called as it.
+    const options = new Map(PLOTS.map((name) => [words().plots[name], this.#ownFor(name)]));
+    for (const [name, label] of this.#ownOptions()) options.set(label, name);
     this.#choice = select(words().plot, [
-      ...PLOTS.map((name) => [name, words().plots[name]] as const),
-      ...this.#ownOptions(),
+      ...[...options].map(([label, name]) => [name, label] as const),
       [ANY, words().plots[ANY]],
     ]);
     const { plot, body, bodyHint, against, path, pathHint, phasePortrait, phaseHint, saveNumbers } = words();
@@ -105,7 +107,7 @@ export class PlotControls {
 
   set choice({ what, against, body }: PlotChoice) {
     const isColumn = what.includes('.');
-    this.#choice.value = isColumn ? ANY : what;
+    this.#choice.value = isColumn ? ANY : this.#ownFor(what);
     if (isColumn) setValue(this.#column, what);
     setValue(this.#against, against);
     this.#body.value = String(body);
@@ -141,14 +143,21 @@ export class PlotControls {
     return Object.entries(this.#own).map(([name, { label }]) => [name, label] as const);
   }
 
+  /** The name of the game's own quantity that is called as a total, or else the total itself. */
+  #ownFor(total: string): string {
+    const { plots } = words();
+    const label = (plots as Readonly<Record<string, string>>)[total];
+    return this.#ownOptions().find(([, own]) => own === label)?.[0] ?? total;
+  }
+
   #offer(world: PhysicsWorld): void {
     const columns = columnsInUse(world).map(({ component, field }) => `${component}.${field}`);
     fill(this.#column, columns, []);
-    fill(
-      this.#against,
-      [...totalsOf(world.dimensions), ...columns],
-      [[TIME, words().againstTime], ...this.#ownOptions()],
+    const owns = this.#ownOptions();
+    const others = [...totalsOf(world.dimensions), ...columns].filter(
+      (name) => !owns.some(([, label]) => label === labelOf(name)),
     );
+    fill(this.#against, others, [[TIME, words().againstTime], ...owns]);
   }
 
   /** Names the lines in their colours, with units that are too long for the axes. */

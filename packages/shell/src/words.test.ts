@@ -1,6 +1,7 @@
-import { expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { wordProblems } from '../../../test/support/words.ts';
-import { decimal, grouped, LANGUAGES, language, preferredLanguage } from './language.ts';
+import { chooseWords } from './choose-words.ts';
+import { decimal, grouped, LANGUAGES, language, preferredLanguage, speak } from './language.ts';
 import { decimalsOf, plainNumber } from './number-field.ts';
 import { siNumber } from './si-number.ts';
 import { WORDS_BY_LANGUAGE, words } from './words.ts';
@@ -27,7 +28,43 @@ it.each([
   ['?lang=fr', ['de-AT'], 'de'],
   ['?lang=fr', ['fr'], 'en'],
 ] as const)('of the address %j and the wishes %j chooses %s', (query, wishes, chosen) => {
-  expect(preferredLanguage(query, wishes)).toBe(chosen);
+  expect(preferredLanguage(query, wishes, LANGUAGES)).toBe(chosen);
+});
+
+describe('a game in a language that the shell has not', () => {
+  const texts = { en: 'Fall', de: 'Fall (de)', fr: 'Chute' };
+  const fr = { settings: 'Réglages', plots: { Energy: 'Énergie' }, bodyNumber: (index: number) => `corps ${index}` };
+  const open = (search: string, languages: readonly string[]) => {
+    vi.stubGlobal('location', { search });
+    vi.stubGlobal('navigator', { languages });
+    return chooseWords(texts, { fr });
+  };
+
+  afterEach(() => {
+    vi.unstubAllGlobals();
+    speak('en');
+  });
+
+  it('supplies words of the shell, English ones stand for the others', () => {
+    expect(open('', ['fr-CA', 'de'])).toBe('Chute');
+    expect(language()).toBe('fr');
+    const { settings, plots, bodyNumber, restart } = words();
+    expect([settings, plots.Energy, plots.Momentum, bodyNumber(2), restart]).toEqual([
+      'Réglages',
+      'Énergie',
+      'Momentum',
+      'corps 2',
+      'Restart',
+    ]);
+    expect(wordProblems(WORDS_BY_LANGUAGE.en, words())).toEqual([]);
+    expect([decimal(1.5, 2), siNumber(1500, 'm')]).toEqual(['1,50', '1,5 km']);
+  });
+
+  it('is chosen by the address before the browser', () => {
+    expect(open('?lang=fr', ['de'])).toBe('Chute');
+    expect([open('?lang=en', ['fr']), words()]).toEqual(['Fall', WORDS_BY_LANGUAGE.en]);
+    expect([open('?lang=ja', ['de']), words()]).toEqual(['Fall (de)', WORDS_BY_LANGUAGE.de]);
+  });
 });
 
 it.each([

@@ -181,6 +181,13 @@ const en = {
 
 export type Words = typeof en;
 
+type Supplied<T> = T extends string | readonly string[] | ((...given: never[]) => string)
+  ? T
+  : { readonly [Name in keyof T]?: Supplied<T[Name]> };
+
+/** Words of the shell in a further language, by the same names as the English ones, which stand for those that are left out. */
+export type ShellWords = Supplied<Words>;
+
 const de: Words = {
   against: 'über',
   againstHint: 'Waagerechte Achse: die Zeit oder eine beliebige Größe',
@@ -356,5 +363,22 @@ const de: Words = {
 
 export const WORDS_BY_LANGUAGE: Readonly<Record<Language, Words>> = { en, de };
 
+/** All words by the languages of the shell and those of the game. */
+const known: Record<string, Words> = { ...WORDS_BY_LANGUAGE };
+
 /** The words in the language of the page. */
-export const words = (): Words => WORDS_BY_LANGUAGE[language()];
+export const words = (): Words => known[language()] ?? en;
+
+/** Makes another language known, or changes words of one that is. */
+export function supplyWords(name: string, supplied: ShellWords): void {
+  known[name] = completed(known[name] ?? en, supplied);
+}
+
+function completed<T extends object>(base: T, supplied: Partial<Record<string, unknown>>): T {
+  const entries = Object.entries(base).map(([name, text]) => {
+    const own = supplied[name];
+    const isGroup = typeof text === 'object' && !Array.isArray(text);
+    return [name, isGroup ? completed(text, own ?? {}) : (own ?? text)];
+  });
+  return Object.fromEntries(entries);
+}
