@@ -12,7 +12,7 @@ import { blockAt, contactIn, isSingle, packBlocks, solveContactsWide, unpackBloc
 import { approach, readRelativeMotion, readSeparation } from './approach';
 import { Body, body, applyVelocityChange, staticBody } from './body';
 import { solveFriction } from './friction';
-import { addWallImpulse, constrainToWall, reaction } from './wall-reactions';
+import { addWallImpulse, constrainToWall, reaction, releaseWalls } from './wall-reactions';
 import { ContactTable, FINITE, FRICTION_STATE_SIZE, putWord, frictionStateAt, word } from './table';
 
 const MAX_ITERATIONS: i32 = 10;
@@ -34,6 +34,7 @@ export function solveRestingContacts(c: Columns, t: ContactTable, dt: real, lag:
   impulseDuration = <real>0.5 * dt + lag;
   const count = chooseResting(c, t, lag);
   if (count == 0) return;
+  releaseWalls(c, t);
   const speed = sqrt<real>(maxSquaredAcceleration) * dt;
   speedTolerance = speed * <real>0.01;
   const blocks = packBlocks(t, count, dt, true);
@@ -93,10 +94,12 @@ function warmStart(t: ContactTable, i: i32): void {
   if (from > 0) applyNormalImpulse(t, i, body(t, word(t.slotA, i)), body(t, word(t.slotB, i)), from);
 }
 
-// Lists the resting contacts, stores their gaps and friction coefficients, and returns their count.
+// Lists the resting contacts, stores their gaps and friction coefficients, marks their bodies in the row words, and
+// returns their count.
 function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
   let count = 0;
   maxSquaredAcceleration = 0;
+  memory.fill(t.rowWords, 0, (<usize>t.bodyCount) << 2);
   for (let i = 0; i < t.count; i++) {
     const a = body(t, word(t.slotA, i));
     const b = body(t, word(t.slotB, i));
@@ -120,6 +123,8 @@ function chooseResting(c: Columns, t: ContactTable, lag: real): i32 {
     memory.fill(frictionState, 0, FRICTION_STATE_SIZE);
     store<f32>(frictionState, <f32>sqrt<real>(get(c.friction, rowA) * get(c.friction, rowB)), 12);
     putWord(t.order, count++, i);
+    putWord(t.rowWords, word(t.slotA, i), 1);
+    putWord(t.rowWords, word(t.slotB, i), 1);
     maxSquaredAcceleration = max<real>(maxSquaredAcceleration, acceleration);
   }
   return count;

@@ -3,7 +3,7 @@
 // The wall with normal m cancels the component of an impulse along n into the wall: the direction becomes n - (n.m) m,
 // and the inverse mass along n is scaled by 1 - (n.m)^2. This solves both contacts together exactly; solved in turn, a
 // heavy ball on a light ball on the floor would need as many iterations as the ratio of their masses.
-import { get, put } from '../memory/columns';
+import { Columns, get, put } from '../memory/columns';
 import { Body, body } from './body';
 import { ContactTable, putWord, word } from './table';
 
@@ -37,6 +37,24 @@ export function linkWalls(t: ContactTable, dt: real): void {
       put(t.wallGap, k, max<real>(gap / dt, -speed));
     }
     if (b.wall == 0 || get(t.wallAccumulatedImpulse, k) > get(t.wallAccumulatedImpulse, b.wall - 1)) b.wall = k + 1;
+  }
+}
+
+// Leaves to the impact of the next step what is no support of a pile: walls of bodies without a mark in the row words,
+// and the speed at which an impact of this step pushed a body to a wall that it does not rest on, or from which it
+// rebounds without loss. Were it stopped here, a restitution of 1 would lose energy, and only where something else rests.
+export function releaseWalls(c: Columns, t: ContactTable): void {
+  for (let k = 0; k < t.wallCount; k++) {
+    const slot = word(t.wallSlot, k);
+    if (slot < 0) continue;
+    if (word(t.rowWords, slot) == 0) {
+      putWord(t.wallSlot, k, -1);
+      continue;
+    }
+    if (get(t.wallAccumulatedImpulse, k) > 0 && get(c.restitution, word(t.wallBody, k)) < 1) continue;
+    const b = body(t, slot);
+    const speed = b.vx * get(t.wallNx, k) + b.vy * get(t.wallNy, k) + b.vz * get(t.wallNz, k);
+    put(t.wallGap, k, max<real>(get(t.wallGap, k), -speed));
   }
 }
 
