@@ -18,8 +18,9 @@
 // a body that arrives fast still loses its speed here, at the exact instant.
 import { Columns, get, put } from '../memory/columns';
 import { approach, readRelativeMotion, readSeparation } from './approach';
-import { body, applyVelocityChange } from './body';
+import { Body, body, applyVelocityChange } from './body';
 import { applyFriction } from './friction';
+import { noteImpact, noteVector } from './impact-list';
 import { ContactTable, FINITE, putWord, word } from './table';
 import { roundImpact, timeSinceRoundImpact } from './time-of-impact';
 
@@ -27,6 +28,9 @@ import { roundImpact, timeSinceRoundImpact } from './time-of-impact';
 const COLLIDED: i32 = 1;
 
 const SLICES: i32 = 64;
+
+// Elastic impacts act at the end of the step up to this depth, in sums of the radii, if forces are uneven.
+const MAX_DEPTH: real = 0.25;
 const MAX_PASSES: i32 = 4;
 
 export function resolveImpacts(c: Columns, t: ContactTable, dt: real, lag: real): void {
@@ -160,11 +164,46 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, pass:
     if (speed <= <real>2 * pressingSpeed) return 0;
     e = 0;
   }
-  const impulse = ((<real>1 + e) * speed) / (wa + wb);
+  return strike(c, t, i, a, b, x, y, z, speed, e, timeSinceImpact, pass);
+}
+
+// Lets two bodies collide at `speed` along the normal (x, y, z), a time ago. Returns 1 if they did.
+//
+// Under forces that depend on position or velocity the mean acceleration is not that after the impact, and an elastic
+// impact a time ago would gain or lose energy. It acts at the end of the step instead, on the velocities there: that
+// keeps the energy whatever the forces are. The bodies part in the next step; where they got too deep into each other for
+// that, the impact acts when it was.
+function strike(
+  c: Columns,
+  t: ContactTable,
+  i: i32,
+  a: Body,
+  b: Body,
+  x: real,
+  y: real,
+  z: real,
+  speed: real,
+  e: real,
+  timeSinceImpact: real,
+  pass: i32,
+): i32 {
+  const wa = a.inverseMass;
+  const wb = b.inverseMass;
+  let closing = speed;
+  let time = timeSinceImpact;
+  if (t.isUneven != 0 && e >= 1 && speed * time <= MAX_DEPTH * (a.radius + b.radius)) {
+    const last = -(approach.vx * x + approach.vy * y + approach.vz * z);
+    if (last > 0) {
+      closing = last;
+      time = 0;
+    }
+  }
+  const impulse = ((<real>1 + e) * closing) / (wa + wb);
   if (!(impulse > 0 && impulse < FINITE && impulse * wa < FINITE && impulse * wb < FINITE)) return 0;
   put(t.nx, i, x);
   put(t.ny, i, y);
   put(t.nz, i, z);
+  const flags = word(t.flags, i);
   // Of several impacts in a step the fastest is reported.
   put(t.speed, i, (flags & COLLIDED) == 0 ? speed : max<real>(speed, get(t.speed, i)));
   put(t.impulse, i, get(t.impulse, i) + impulse);
@@ -173,8 +212,34 @@ function collide(c: Columns, t: ContactTable, i: i32, dt: real, lag: real, pass:
   if (wb > 0) putWord(t.rowWords, word(t.slotB, i), pass);
   const ja = -impulse * wa;
   const jb = impulse * wb;
-  applyVelocityChange(a, ja * x, ja * y, ja * z, timeSinceImpact);
-  applyVelocityChange(b, jb * x, jb * y, jb * z, timeSinceImpact);
-  applyFriction(a, b, x, y, z, sqrt<real>(get(c.friction, rowA) * get(c.friction, rowB)), impulse, timeSinceImpact);
+  applyVelocityChange(a, ja * x, ja * y, ja * z, time);
+  applyVelocityChange(b, jb * x, jb * y, jb * z, time);
+  applyFrictionAndNote(c, t, i, a, b, x, y, z, e, impulse, time, timeSinceImpact);
   return 1;
+}
+
+// Applies the friction of an impact that acted a `time` ago, and notes the impact.
+function applyFrictionAndNote(
+  c: Columns,
+  t: ContactTable,
+  i: i32,
+  a: Body,
+  b: Body,
+  x: real,
+  y: real,
+  z: real,
+  e: real,
+  impulse: real,
+  time: real,
+  timeSinceImpact: real,
+): void {
+  const moved = a.inverseMass > 0 ? a : b;
+  const vx = moved.vx;
+  const vy = moved.vy;
+  const vz = moved.vz;
+  const friction = sqrt<real>(get(c.friction, word(t.a, i)) * get(c.friction, word(t.b, i)));
+  applyFriction(a, b, x, y, z, friction, impulse, time);
+  const note = noteImpact(t, word(t.slotA, i), word(t.slotB, i), e, timeSinceImpact);
+  const mass = (a.inverseMass > 0 ? -(<real>1) : <real>1) / moved.inverseMass;
+  if (note != 0) noteVector(note, mass * (moved.vx - vx), mass * (moved.vy - vy), mass * (moved.vz - vz));
 }

@@ -2,7 +2,7 @@
 export { findPairs } from './pairs';
 export { beginContacts, beginWallContacts, sortContacts } from './order';
 export { omitLinked } from './linked';
-export { respond } from './respond';
+export { respondToImpacts, settleContacts } from './respond';
 export { gatherSegments } from './walls/wall-grid';
 export { clampToSegments, segmentWalls } from './walls/segments';
 export { planeWalls } from './walls/planes';

@@ -6,7 +6,7 @@
 // overlapping it moved in the step, plus MAX_SEPARATION_SPEED radii a second: overlap caused by the step is corrected
 // within it, and bodies that were created overlapping separate visibly smoothly. The acceleration fields of the bodies
 // are no longer needed here, so they hold the initial positions.
-import { get } from '../memory/columns';
+import { Columns, get } from '../memory/columns';
 import { LANES } from '../memory/lanes';
 import { blockAt, contactIn, isSingle, packBlocks, correctPositionsWide } from './wide-contacts';
 import { approach, readSeparation } from './approach';
@@ -25,10 +25,14 @@ const SLOP: real = 0.001;
 // Iterations per step, in alternating order, so that corrections propagate through a pile in both directions.
 const ITERATIONS: i32 = 4;
 
-export function correctPositions(t: ContactTable, dt: real): void {
+// Steps in which an elastic impact may be over.
+const PASSING_STEPS: real = 256;
+
+export function correctPositions(c: Columns, t: ContactTable, dt: real): void {
   let count = 0;
   for (let i = 0; i < t.count; i++) {
-    if (depthOf(t, i, dt) > 0) putWord(t.order, count++, i);
+    const depth = depthOf(t, i, dt);
+    if (depth > 0 && !(t.isUneven != 0 && isPassing(c, t, i, depth, dt))) putWord(t.order, count++, i);
   }
   if (count == 0) return;
   const blocks = packBlocks(t, count, dt, false);
@@ -46,6 +50,17 @@ export function correctPositions(t: ContactTable, dt: real): void {
     else for (let k = 0; k < count; k++) correctPosition(t, word(t.order, forward ? k : count - 1 - k), dt);
   }
   for (let slot = 0; slot < t.bodyCount; slot++) limitDisplacement(t, slot);
+}
+
+// Returns whether the bodies of contact i, with overlap `depth`, are on their way through an elastic impact. Under forces
+// that depend on position, bodies that such impacts leave in each other (impacts.ts) would gain energy by displacement, so
+// they part by themselves.
+function isPassing(c: Columns, t: ContactTable, i: i32, depth: real, dt: real): bool {
+  if (max<real>(get(c.restitution, word(t.a, i)), get(c.restitution, word(t.b, i))) < 1) return false;
+  const a = body(t, word(t.slotA, i));
+  const b = body(t, word(t.slotB, i));
+  const speed = (b.vx - a.vx) * get(t.nx, i) + (b.vy - a.vy) * get(t.ny, i) + (b.vz - a.vz) * get(t.nz, i);
+  return abs<real>(speed) * PASSING_STEPS * dt >= depth;
 }
 
 function correctBlocks(t: ContactTable, blocks: i32, forward: bool, dt: real): void {

@@ -9,25 +9,33 @@ import { correctPositions } from './position-correction';
 import { linkWalls } from './wall-reactions';
 import { ContactTable, contactTable, putWord, word } from './table';
 
-// Solves impacts, resting contacts and overlaps, then removes the contacts that did not touch. `lag` is the time by
-// which the integrator's velocities lag its positions, `lastId` the highest entity id. With `savePositions` the
-// positions before the response are saved for `clampToSegments`.
-export function respond(dt: real, lag: real, lastId: i32, savePositions: bool): void {
+// Gathers the bodies and solves impacts. `lag` is the time by which the integrator's velocities lag its positions,
+// `lastId` the highest entity id.
+export function respondToImpacts(dt: real, lag: real, lastId: i32): void {
   const c = columns();
   const t = contactTable();
   const scale: real = t.previousDt > 0 ? <real>(<f64>dt / t.previousDt) : 0;
   t.previousDt = <f64>dt;
+  if (t.count == 0) {
+    t.bodyCount = 0;
+    return;
+  }
+  joinPrevious(scale);
+  gatherBodies(c, dt, lastId);
+  linkWalls(t, dt);
+  resolveImpacts(c, t, dt, lag);
+}
+
+// Solves resting contacts and overlaps, then removes the contacts that did not touch. With `savePositions` the positions
+// before the response are saved for `clampToSegments`.
+export function settleContacts(dt: real, lag: real, savePositions: bool): void {
+  const c = columns();
+  const t = contactTable();
   if (t.count > 0) {
-    joinPrevious(scale);
-    gatherBodies(c, dt, lastId);
-    linkWalls(t, dt);
-    resolveImpacts(c, t, dt, lag);
     solveRestingContacts(c, t, dt, lag);
-    correctPositions(t, dt);
+    correctPositions(c, t, dt);
     compactContacts(t);
     scatterBodies(c, t, savePositions);
-  } else {
-    t.bodyCount = 0;
   }
   compactWallContacts(t);
 }

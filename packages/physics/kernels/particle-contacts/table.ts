@@ -61,6 +61,12 @@ export class ContactTable {
   blocks: usize;
   batches: usize;
   maxBatches: i32;
+  // Impacts in the list (impact-list.ts), one more than the capacity if some found no place, and its capacity, 0 if
+  // none are to be noted.
+  impactCount: i32;
+  impactCapacity: i32;
+  // Whether forces depend on position or velocity, so that elastic impacts act at the end of the step (impacts.ts).
+  isUneven: i32;
   // Gathered bodies that have contacts, and their rows.
   bodies: usize;
   bodyRows: usize;

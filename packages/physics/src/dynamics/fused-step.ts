@@ -74,7 +74,7 @@ export function prepareLoops(world: PhysicsWorld): void {
   const { integrator, internal } = world;
   if (internal.plan?.isOneLoop === true) {
     stepLoop(world);
-    if (internal.plan.fusion?.walls !== undefined) impactLoop(world);
+    if (internal.plan.fusion?.walls !== undefined || internal.recordsContacts) impactLoop(world);
   } else {
     lawLoopOf(world);
     if (integrator.scheme !== undefined && integrator.advance === undefined) schemeLoops(world);

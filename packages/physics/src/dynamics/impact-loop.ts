@@ -40,7 +40,7 @@ export const impactLoop = cachedWithPlan((world): ImpactLoop | undefined => {
   const scheme = integrator.scheme as Scheme;
   const laws = lawsOf(world.forces);
   // The way begins at the saved pose.
-  if (internal.plan?.isStartCurrent !== true) return undefined;
+  if (internal.plan?.isStartCurrent !== true || !internal.plan.isOneLoop) return undefined;
   if (integrator.order < 2 || (integrator.velocityLag ?? 0) !== 0 || scheme.memory.length > 0) return undefined;
   const isTimed = [scheme, ...laws].some(changesInStep) || laws.some(({ law }) => readsTime(law));
   // A scheme with parameters, as Boris's, has forces of its own. The mean of a force of time alone is of second order.

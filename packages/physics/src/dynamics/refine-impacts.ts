@@ -21,6 +21,7 @@ import { cachedWithPlan } from '../world/execution-plan.ts';
 import type { Fusion, PhysicsWorld } from '../world/types.ts';
 import type { BoxSystem } from './box-system.ts';
 import { type ImpactLoop, impactLoop } from './impact-loop.ts';
+import { keptStates, runRow } from './run-row.ts';
 import type { Box } from './step-features.ts';
 
 /** The numbers of an impact; after them the velocity without walls and the mean acceleration, per axis. */
@@ -74,7 +75,7 @@ const columnsOf = cachedWithPlan((world): Columns => {
     high: axes.map((axis) => high[axis]),
     wallRestitution: restitution,
     lanes: 16 / realBytes(precision),
-    kept: new Float64Array((16 / realBytes(precision)) * 2 * axes.length),
+    kept: keptStates(world, 16 / realBytes(precision)),
   };
 });
 
@@ -203,39 +204,13 @@ function runVectors(loop: ImpactLoop, { impacts, lanes }: Columns, count: number
  * not 0.
  */
 function runBodies(loop: ImpactLoop, columns: Columns, count: number, time: number, dt: number): void {
-  const { impacts, lanes } = columns;
+  const { impacts, lanes, kept } = columns;
   for (let k = 0; k < count; k++) {
     if (impacts[k * SIZE + AXIS] < 0) continue;
     const row = impacts[k * SIZE + ROW];
     const length = loop.duration[row];
-    const first = row - (row % lanes);
     loop.block.writePart(dt === 0 ? time : time + (dt - length), length);
-    keepLanes(loop, columns, first);
-    loop.run(first, first + lanes, 0);
-    restoreLanes(loop, columns, first, row);
-  }
-}
-
-/** Keeps the states of the bodies of a vector. */
-function keepLanes({ position, velocity }: ImpactLoop, { kept, lanes }: Columns, first: number): void {
-  const axes = position.length;
-  for (let lane = 0; lane < lanes; lane++) {
-    for (let i = 0; i < axes; i++) {
-      kept[2 * (lane * axes + i)] = position[i][first + lane];
-      kept[2 * (lane * axes + i) + 1] = velocity[i][first + lane];
-    }
-  }
-}
-
-/** Gives the bodies of a vector their states back, except that of one row. */
-function restoreLanes({ position, velocity }: ImpactLoop, { kept, lanes }: Columns, first: number, row: number): void {
-  const axes = position.length;
-  for (let lane = 0; lane < lanes; lane++) {
-    if (first + lane === row) continue;
-    for (let i = 0; i < axes; i++) {
-      position[i][first + lane] = kept[2 * (lane * axes + i)];
-      velocity[i][first + lane] = kept[2 * (lane * axes + i) + 1];
-    }
+    runRow(loop, row, lanes, kept);
   }
 }
 

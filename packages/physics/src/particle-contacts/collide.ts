@@ -3,6 +3,7 @@
 //   broad phase            uniform grid of hashed cells                       grid.ts, pairs.ts
 //   order                  ascending (a, b)                                   order.ts
 //   impacts                restitution and friction at the time of impact     impacts.ts
+//   the same again         under forces that depend on position or velocity   src/particle-contacts/retake-contacts.ts
 //   resting contacts       sequential impulses with warm starting             resting-contacts.ts
 //   position correction    displacement at bounded speed                      position-correction.ts
 //   wide contacts          SIMD form of the two solvers above                 wide-contacts.ts
@@ -17,7 +18,9 @@ import { namedResource } from '../memory/resource.ts';
 import { nameSystem } from '../world/name-system.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
 import { activateContacts, contactTable } from './contact-table.ts';
+import { beginImpacts } from './impact-list.ts';
 import { collisionKernels } from './kernels.ts';
+import { retakeContacts } from './retake-contacts.ts';
 import { clampToSegments } from './segment-walls.ts';
 
 const contactsEnabled = namedResource('contacts enabled', (world) => {
@@ -39,7 +42,11 @@ export const collideBodies: LocalSystem = {
     if (internal.counts.Spring > 0 && internal.springTable !== undefined)
       kernels.omitLinked(internal.springTable(world));
     const confined = world.dimensions === 2 && internal.counts.SegmentWall > 0;
-    kernels.respond(dt, (integrator.velocityLag ?? 0) * dt, lastId, confined ? 1 : 0);
+    const lag = (integrator.velocityLag ?? 0) * dt;
+    beginImpacts(world);
+    kernels.respondToImpacts(dt, lag, lastId);
+    retakeContacts(world, dt);
+    kernels.settleContacts(dt, lag, confined ? 1 : 0);
     contactTable(world).isResolved = true;
     if (confined) clampToSegments(world);
   },

@@ -7,7 +7,9 @@ import { PLANE_COLUMNS_BYTES, PlaneColumnsWord } from '../memory/layouts.gen.ts'
 import { allocateRecord } from '../memory/record.ts';
 import { namedResource } from '../memory/resource.ts';
 import type { LocalSystem } from '../world/types.ts';
+import { beginImpacts } from './impact-list.ts';
 import { collisionKernels } from './kernels.ts';
+import { retakeRebounds } from './retake-rebounds.ts';
 
 interface PlaneList extends EntityList {
   /** Address of the kernel record of the planes' column addresses. */
@@ -35,6 +37,8 @@ export const planeWalls: LocalSystem = {
     const list = planeList(world);
     refreshEntityList(world, list, 'PlaneWall', 0);
     const lag = (world.integrator.velocityLag ?? 0) * dt;
+    beginImpacts(world);
     collisionKernels(world).planeWalls(list.columns, list.ids, list.count, dt, lag, first, last);
+    retakeRebounds(world, dt);
   }),
 };

@@ -9,7 +9,9 @@ import { SEGMENT_BYTES, WALL_GRID_BYTES, WallGridWord as Word } from '../memory/
 import { allocateRecord } from '../memory/record.ts';
 import { namedResource } from '../memory/resource.ts';
 import type { LocalSystem, PhysicsWorld } from '../world/types.ts';
+import { beginImpacts } from './impact-list.ts';
 import { collisionKernels } from './kernels.ts';
+import { retakeRebounds } from './retake-rebounds.ts';
 
 /** Maximum number of grid cells along one axis, and of list entries per wall. */
 const MAX_SIDE = 64;
@@ -83,7 +85,9 @@ export const segmentWalls: LocalSystem = {
     if (world.integrator.solvesWalls === true) return;
     const { grid } = gather(world);
     const lag = (world.integrator.velocityLag ?? 0) * dt;
+    beginImpacts(world);
     collisionKernels(world).segmentWalls(grid, dt, lag, first, last);
+    retakeRebounds(world, dt);
   }),
 };
 

@@ -1,7 +1,8 @@
 // Round bodies against half-spaces that are solid where n.x < offset (2D and 3D). The formulas are in impact.ts.
 import { Columns, columns, get, put } from '../../memory/columns';
 import { applyWallFriction, timeOfImpulse } from '../friction';
-import { WALL_MARGIN, word } from '../table';
+import { RESTS, noteImpact, noteVector } from '../impact-list';
+import { WALL_MARGIN, contactTable, word } from '../table';
 import { LANES, add, at, mul, splat, sub } from '../../memory/lanes';
 import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
 import { recordNearWall, recordWallContact } from './record';
@@ -20,6 +21,9 @@ export class PlaneColumns {
   startY: usize;
   startZ: usize;
 }
+
+// Elastic impacts act at the end of the step up to this depth, in radii, if forces are uneven.
+const MAX_DEPTH: real = 0.25;
 
 // Bodies are tested against the planes repeatedly, so that they do not leave a wedge of planes.
 const MAX_ITERATIONS: i32 = 4;
@@ -76,6 +80,11 @@ function recordNearWalls(p: PlaneColumns, c: Columns, row: i32, ids: usize, coun
   return v128.any_true(v128.and(behind, solid));
 }
 
+// @ts-ignore: decorator
+@inline function isUneven(c: Columns): bool {
+  return c.contacts != 0 && contactTable().isUneven != 0;
+}
+
 function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: real): bool {
   const radius = get(c.radius, row);
   const mass = get(c.mass, row);
@@ -103,8 +112,12 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   const reboundSpeed = max<real>(get(c.restitution, row), get(p.restitution, id)) * impact;
   const reboundDistance = computeReboundDistance<real>(reboundSpeed, acceleration, timeSinceImpact, 0.5);
   const rebounds = reboundDistance > 0 && impact > 0;
-  const change = rebounds ? reboundSpeed - acceleration * (timeSinceImpact - lag) + intoWall : max<real>(0, intoWall);
-  const out = rebounds ? depth + reboundDistance : depth;
+  const e = rebounds ? max<real>(get(c.restitution, row), get(p.restitution, id)) : RESTS;
+  // As in impacts.ts: under forces that depend on position or velocity an elastic impact acts at the end of the step.
+  const isLate = e >= 1 && depth <= MAX_DEPTH * radius && isUneven(c);
+  const outgoing = isLate ? e * speed + acceleration * lag : reboundSpeed - acceleration * (timeSinceImpact - lag);
+  const change = rebounds ? outgoing + intoWall : max<real>(0, intoWall);
+  const out = isLate ? <real>0 : rebounds ? depth + reboundDistance : depth;
   shift(c, row, nx, ny, nz, out);
   const startChange = rebounds ? change : -startSpeed;
   put(p.startX, row, get(p.startX, row) + startChange * nx);
@@ -114,8 +127,18 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   put(c.velocityY, row, vy + change * ny);
   put(c.velocityZ, row, vz + change * nz);
   const friction = sqrt<real>(get(c.friction, row) * get(p.friction, id));
+  const note = c.contacts == 0 ? <usize>0 : noteImpact(contactTable(), row, id, e, timeSinceImpact);
   const moved = applyWallFriction(c, row, nx, ny, nz, friction, change * mass, timeOfImpulse(out, change, dt));
   shift(c, row, moved.x, moved.y, moved.z, 1);
+  if (note != 0) {
+    const bx = get(c.velocityX, row) - vx - change * nx;
+    const by = get(c.velocityY, row) - vy - change * ny;
+    const bz = get(c.velocityZ, row) - vz - change * nz;
+    const sx = get(p.startX, row) - startChange * nx;
+    const sy = get(p.startY, row) - startChange * ny;
+    const sz = get(p.startZ, row) - startChange * nz;
+    store<real>(noteVector(noteVector(noteVector(note, bx, by, bz), nx, ny, nz), sx, sy, sz), height + depth);
+  }
   recordWallContact(row, id, nx, ny, nz, friction, impact, change * mass, rebounds ? <real>0 : change * mass);
   return true;
 }

@@ -4,6 +4,7 @@
 // that lasts until the end of the step. A body that hits walls MAX_BOUNCES times, as in a narrow groove, returns to its
 // position at the start of the step, where it did not overlap a wall.
 import { Columns, columns, get, put } from '../../memory/columns';
+import { RESTS, noteImpact, noteVector } from '../impact-list';
 import { ContactTable, WALL_MARGIN, contactTable, word } from '../table';
 import { applyWallFriction, timeOfImpulse } from '../friction';
 import { LANES, add, at, larger, mul, smaller, splat, sub } from '../../memory/lanes';
@@ -91,7 +92,7 @@ function followPath(g: WallGrid, c: Columns, row: i32, dt: real, lag: real): voi
     if (bounce == MAX_BOUNCES) setPath(x, y, 0, 0, 0, 0);
     put(c.positionX, row, path.x);
     put(c.positionY, row, path.y);
-    if (bounce == MAX_BOUNCES) break;
+    if (bounce == MAX_BOUNCES || isLate) break;
     setStart(impactX, impactY, timeSinceImpact, get(c.radius, row));
   }
   if (c.contacts != 0) recordNearWalls(g, c, row);
@@ -136,19 +137,29 @@ let freeAccelerationX: real = 0;
 let freeAccelerationY: real = 0;
 let stepLength: real = 0;
 
+// Whether the last hit acted at the end of the step, where the path ends then; and the longest way of such a body, in
+// radii.
+let isLate: bool = false;
+const MAX_WAY: real = 0.5;
+
 // Applies the hit that was found: a rebound if the step can resolve it, otherwise the body rests on the wall.
 function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
   const nx = hit.nx;
   const ny = hit.ny;
   const timeSinceImpact = hit.timeSinceImpact;
-  const reboundSpeed = max<real>(get(c.restitution, row), s.restitution) * hit.speed;
+  const restitution = max<real>(get(c.restitution, row), s.restitution);
+  const reboundSpeed = restitution * hit.speed;
   const acceleration = -(path.ax * nx + path.ay * ny);
   const reboundDistance = computeReboundDistance<real>(reboundSpeed, acceleration, timeSinceImpact, 0.5);
   const rebounds = reboundDistance > 0 && hit.speed > 0;
   const vx = get(c.velocityX, row);
   const vy = get(c.velocityY, row);
-  const change = rebounds ? reboundSpeed + hit.speed : max<real>(0, -(vx * nx + vy * ny));
-  const shift = !rebounds ? hit.depth : hit.isEnd ? change * timeSinceImpact : hit.depth + reboundDistance;
+  const last = -(path.ux * nx + path.uy * ny);
+  isLate = rebounds && last > 0 && canBeLate(c, row, restitution);
+  const speeds = isLate ? (<real>1 + restitution) * last : reboundSpeed + hit.speed;
+  const change = rebounds ? speeds : max<real>(0, -(vx * nx + vy * ny));
+  let shift = !rebounds ? hit.depth : hit.isEnd ? change * timeSinceImpact : hit.depth + reboundDistance;
+  if (isLate) shift = 0;
   const impulse = change * get(c.mass, row);
   put(c.velocityX, row, vx + change * nx);
   put(c.velocityY, row, vy + change * ny);
@@ -156,6 +167,7 @@ function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
   const moved = applyWallFriction(c, row, nx, ny, 0, friction, impulse, timeOfImpulse(shift, change, stepLength));
   const dx = get(c.velocityX, row) - vx;
   const dy = get(c.velocityY, row) - vy;
+  noteRebound(g, s, c, row, rebounds ? restitution : RESTS, dx - change * nx, dy - change * ny);
   const x = path.x + shift * nx + moved.x;
   const y = path.y + shift * ny + moved.y;
   if (rebounds) continueAfterRebound(c, row, x, y, dx, dy, timeSinceImpact);
@@ -164,6 +176,28 @@ function bounceOff(g: WallGrid, s: Segment, c: Columns, row: i32): void {
   put(g.startX, row, get(c.velocityX, row) - path.ax * stepLength);
   put(g.startY, row, get(c.velocityY, row) - path.ay * stepLength);
   recordWallContact(row, s.id, nx, ny, 0, friction, hit.speed, impulse, rebounds ? <real>0 : impulse);
+}
+
+// Whether an elastic impact acts at the end of the step, as in impacts.ts: under forces that depend on position or
+// velocity, and on a way so short that it meets no other wall unnoticed.
+function canBeLate(c: Columns, row: i32, restitution: real): bool {
+  if (restitution < 1 || c.contacts == 0 || contactTable().isUneven == 0) return false;
+  const x = path.x - path.fromX;
+  const y = path.y - path.fromY;
+  const radius = get(c.radius, row);
+  return x * x + y * y <= MAX_WAY * MAX_WAY * radius * radius;
+}
+
+// Notes the hit that was found, with the restitution `e` and the change of velocity by friction.
+function noteRebound(g: WallGrid, s: Segment, c: Columns, row: i32, e: real, frictionX: real, frictionY: real): void {
+  const time = hit.timeSinceImpact;
+  const note = c.contacts == 0 ? <usize>0 : noteImpact(contactTable(), row, s.id, e, time);
+  if (note == 0) return;
+  const half = <real>0.5 * time;
+  const x = path.x - time * (path.ux - half * path.ax);
+  const y = path.y - time * (path.uy - half * path.ay);
+  const next = noteVector(noteVector(note, frictionX, frictionY, 0), hit.nx, hit.ny, 0);
+  store<real>(noteVector(next, get(g.startX, row), get(g.startY, row), 0), x * hit.nx + y * hit.ny);
 }
 
 // Starts the path after a rebound. The wall no longer supports the body, so the acceleration that it cancelled acts
