@@ -38,7 +38,7 @@ const bodiesOf = namedResource(
 /** Takes the steps of the bodies that collided again. */
 export function retakeContacts(world: PhysicsWorld, dt: number): void {
   const way = listedImpacts(world, dt);
-  if (way === undefined) return;
+  if (way === undefined || !isAnyElastic(way)) return;
   const bodies = bodiesOf(world);
   prepare(way, bodies);
   spread(way, bodies);
@@ -55,6 +55,14 @@ export function retakeContacts(world: PhysicsWorld, dt: number): void {
   for (let slot = 0; slot < way.words[Word.bodyCount]; slot++) {
     if (fates[slot] === ON_WAY) finish(world, way, bodies, slot, dt);
   }
+}
+
+/** Whether an impact is to keep the energy: where all lose some, what the mean acceleration leaves out is little beside that. */
+function isAnyElastic(way: ImpactWay): boolean {
+  for (let k = 0; k < way.words[Word.impactCount]; k++) {
+    if (way.reals[numbersOf(way, k) + RESTITUTION] >= 1) return true;
+  }
+  return false;
 }
 
 /** Marks the bodies that met a wall. */
