@@ -4,6 +4,10 @@
 // near any other body, and is carried along by what goes on moving: or that would have passed it when the step ends. The contact
 // there is found in the next step.
 //
+// Where bullets touch, the solver has held them off each other, and they are stopped only where the core of one would enter the other.
+// None is stopped at another body where something of a higher rank would pass it then, such as the wall that drives a heap of bullets
+// on: it enters the other, as a body that is no bullet would.
+//
 // Source: the bounds are those of Box2D 3 (solver.c).
 import { TARGET } from '../../collision/narrow-phase/2d/collide-ahead';
 import { sineCosine } from '../../math/elementary';
@@ -21,11 +25,22 @@ import {
   stateOf,
   word,
 } from './body';
-import { SAFE_PATH, endsAlong, findImpact, impact, isOnRail, isWheel } from './first-impact';
+import {
+  SAFE_PATH,
+  WALLS,
+  endsAlong,
+  findImpact,
+  findImpactOf,
+  impact,
+  isOnRail,
+  isPassed,
+  isWheel,
+  rankOf,
+} from './first-impact';
 import { turnState } from './integrate-bodies';
 import { inverseMassAlong, inverseMassX, inverseMassY } from './motion-locks';
 import { passSensors } from './pass-sensors';
-import { bodyOf, turnTo } from './parts';
+import { bodyOf, isBullet, turnTo } from './parts';
 import { longestPath, pathOf } from './paths';
 import { RigidTable } from './rigid-table';
 import { rollOn } from './roll-on';
@@ -62,45 +77,61 @@ export function stopFastBodies(table: usize): void {
   for (let i = 0; i < bullets; i++) stopBody(t, word(t.bullets, i), reach);
 }
 
-// A compound is a bullet when one of its parts is.
-function isBullet(t: RigidTable, row: i32): bool {
-  if (word(t.bullet, row) != 0) return true;
-  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
-    if (word(t.bullet, part) != 0) return true;
-  }
-  return false;
-}
-
-// With a `reach` of 0 and more the body is a bullet, and others may have left their boxes by so much.
+// With a `reach` of 0 and more the body is a bullet, and others may have left their boxes by so much. What it cannot stay out of
+// without being passed by something of a higher rank it enters, as any body does.
 function stopBody(t: RigidTable, row: i32, reach: real): void {
-  let first = findImpact(t, row, reach);
-  if (first < 1) {
-    putFlags(t, row, flagsOf(t, row) | FAST);
-    first = stopAt(t, row, first, reach);
-  } else if (isWheel(t, row)) {
-    // Its contacts are those of the middle of the step, as of what rolls slowly (mid-step.ts).
-    putFlags(t, row, flagsOf(t, row) & ~FAST);
+  const state = stateOf(t, row);
+  const dx = state.dx;
+  const dy = state.dy;
+  const turned = state.turned;
+  let rank = reach < 0 ? WALLS : 0;
+  let first = sweepBody(t, row, reach, rank);
+  while (first < 0) {
+    state.dx = dx;
+    state.dy = dy;
+    state.turned = turned;
+    turnState(state);
+    first = sweepBody(t, row, reach, ++rank);
   }
   putStop(t, row, first);
   if (t.sensorCount > 0) passSensors(t, row);
 }
 
+// What `sweepBody` returns where something of a higher rank would pass the body, or it is wedged.
+const NOWHERE: real = -1;
+
+// Stops a body at what is of a rank and more. Returns the fraction of the step at which it is stopped.
+function sweepBody(t: RigidTable, row: i32, reach: real, rank: i32): real {
+  const first = findImpactOf(t, row, reach, rank);
+  if (rank < WALLS && impact.isWedged) return NOWHERE;
+  if (first < 1) {
+    putFlags(t, row, flagsOf(t, row) | FAST);
+    return stopAt(t, row, first, reach, rank);
+  }
+  // Its contacts are those of the middle of the step, as of what rolls slowly (mid-step.ts).
+  if (isWheel(t, row)) putFlags(t, row, flagsOf(t, row) & ~FAST);
+  return 1;
+}
+
 // Deals with an impact at a fraction of the step. Returns the fraction at which the body is stopped after all.
-function stopAt(t: RigidTable, row: i32, fraction: real, reach: real): real {
+function stopAt(t: RigidTable, row: i32, fraction: real, reach: real, rank: i32): real {
   let first = fraction;
   if (isOnRail(t)) {
     const time = rollOn(t, row, first);
-    first = reach < 0 ? <real>1 : findImpact(t, row, reach);
+    first = rank == WALLS ? <real>1 : findImpactOf(t, row, reach, rank);
     if (first == 1) return time;
-  } else if (reach < 0 && !impact.touches && glide(t, row, first)) {
-    first = findImpact(t, row, reach);
+  } else if (rank == WALLS && !impact.touches && glide(t, row, first)) {
+    first = findImpact(t, row, -1);
     if (first == 1) return 1;
   }
   moveBack(t, row, first);
-  if (reach < 0 || !carry(t, row, first)) return first;
-  first = findImpact(t, row, -1);
-  if (first < 1) moveBack(t, row, first);
-  return first;
+  if (rank == WALLS) return first;
+  const met = rankOf(t, bodyOf(t, impact.other));
+  if (met < WALLS && carry(t, row, first)) {
+    first = findImpact(t, row, -1);
+    if (first < 1) moveBack(t, row, first);
+  }
+  return isPassed(t, row, reach, met < WALLS ? met + 1 : 1) ? NOWHERE : first;
 }
 
 // @ts-ignore: decorator

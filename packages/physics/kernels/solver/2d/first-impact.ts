@@ -12,13 +12,14 @@ import { collideShapes } from '../../collision/narrow-phase/2d/collide-shapes';
 import { LEAST_TARGET, TARGET, targetOf } from '../../collision/narrow-phase/2d/collide-ahead';
 import { SPECULATIVE_DISTANCE } from '../../collision/narrow-phase/2d/far-points';
 import { Manifold, setPoses } from '../../collision/narrow-phase/2d/manifold';
-import { isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
+import { flagsOfPair, isIgnored } from '../../collision/narrow-phase/2d/new-pairs';
 import { isUpperSide } from '../../collision/narrow-phase/2d/one-way';
+import { COVERED, TOUCHING } from '../../collision/narrow-phase/2d/rigid-contact';
 import { motionOfA, motionOfB, startAtEnd } from '../../collision/narrow-phase/2d/shape-motion';
 import { Sweep, timeOfImpact } from '../../collision/narrow-phase/2d/time-of-impact';
-import { COLLIDES, FAST, JOINED, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
+import { COLLIDES, DYNAMIC, FAST, JOINED, LOCKED, MOVES, ONE_WAY, ROUND, SENSOR, flagsOf, stateOf, word } from './body';
 import { comesFromBehind, isBeyondEnd, turnToSide } from './chain-impacts';
-import { bodyOf } from './parts';
+import { bodyOf, isBullet } from './parts';
 import { RigidTable } from './rigid-table';
 import { measurePath, startSweepA, startSweepB, stopOf, sweepInPhases } from './sweep-shapes';
 import { shapeAt } from './walls';
@@ -38,6 +39,8 @@ const LEVEL: real = 0.00001;
 class Impact {
   // Whether the body touches something at the start of the step.
   touches: bool;
+  // Whether it slid along several things that leave it no way.
+  isWedged: bool;
   // The shape of the body, and what it meets.
   row: i32;
   other: i32;
@@ -70,8 +73,43 @@ export function findImpact(t: RigidTable, row: i32, reach: real): real {
     first = firstOfShapes(t, row, reach);
     mustRepeat = hasSlid;
   }
+  impact.isWedged = mustRepeat;
   return mustRepeat ? 0 : first;
 }
+
+// Of bodies that move those of this rank and more count.
+let leastRank: i32 = 0;
+
+// The rank of what does not move.
+export const WALLS: i32 = 3;
+
+// What gives way to what, where a bullet cannot stay out of both: bullets to other bodies, these to what has no mass, and all to
+// what does not move.
+export function rankOf(t: RigidTable, body: i32): i32 {
+  if ((flagsOf(t, body) & MOVES) == 0) return WALLS;
+  if ((flagsOf(t, body) & DYNAMIC) == 0) return 2;
+  return isBullet(t, body) ? 0 : 1;
+}
+
+// As `findImpact` with a reach, for bodies of a rank and more.
+export function findImpactOf(t: RigidTable, row: i32, reach: real, rank: i32): real {
+  leastRank = rank;
+  const first = findImpact(t, row, rank < WALLS ? reach : -1);
+  leastRank = 0;
+  return first;
+}
+
+// Whether bodies of a rank and more that move would pass the body on its way. Where they are flush with it from the start they take it
+// along, unless it is wedged.
+export function isPassed(t: RigidTable, row: i32, reach: real, rank: i32): bool {
+  passesWalls = true;
+  const first = findImpactOf(t, row, reach, rank);
+  passesWalls = false;
+  return first < 1;
+}
+
+// Whether what does not move is left out.
+let passesWalls: bool = false;
 
 // What slides this often in one step is wedged.
 const MAX_TURNS: i32 = 4;
@@ -118,7 +156,7 @@ function firstImpact(t: RigidTable, body: i32, row: i32, reach: real, first: rea
   const shape = shapeOf(row, spareB);
   startSweepB(t, sweep, body, row);
   measurePath(path, sweep, shape, 0);
-  const still = firstInTree(t, t.staticNodes, t.staticNodeCount, body, row, shape, first);
+  const still = passesWalls ? first : firstInTree(t, t.staticNodes, t.staticNodeCount, body, row, shape, first);
   if (reach < 0) return still;
   measurePath(path, sweep, shape, reach);
   return firstInTree(t, t.movingNodes, t.movingNodeCount, body, row, shape, still);
@@ -130,7 +168,8 @@ function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i3
   for (let i = nextLeaf(nodes, count, 0, path); i < count; i = nextLeaf(nodes, count, i + 1, path)) {
     const other = nodeAt(nodes, i).row;
     if (!mayStop(t, body, row, other)) continue;
-    const fraction = impactWith(t, other, shape, mayPass);
+    if (leastRank > 0 && rankOf(t, bodyOf(t, other)) < leastRank) continue;
+    const fraction = impactWith(t, row, other, shape, mayPass);
     if (fraction == SLIDES) {
       slide(t, body, sweep);
       hasSlid = true;
@@ -154,12 +193,18 @@ function firstInTree(t: RigidTable, nodes: usize, count: i32, body: i32, row: i3
   return t.asksUser == 0 || !isIgnored(t, row, other);
 }
 
+// Whether both bodies move, and a contact between them acted in this step.
+function isSolved(t: RigidTable, row: i32, other: i32): bool {
+  if ((flagsOf(t, other) & MOVES) == 0) return false;
+  return (flagsOfPair(t, row, other) & (TOUCHING | COVERED)) == TOUCHING;
+}
+
 // What `impactWith` returns for a shape that slides along another from the start of the step.
 const SLIDES: real = 2;
 
 // The fraction of the step at which the shape of the sweep meets another and would enter it; 1 for never, and where it starts in
 // contact, unless it may pass through.
-function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): real {
+function impactWith(t: RigidTable, row: i32, other: i32, shape: Shape, mayPass: bool): real {
   startSweepA(t, sweep, other);
   const target = targetOf(shape.minExtent);
   sweep.target = target;
@@ -178,15 +223,16 @@ function impactWith(t: RigidTable, other: i32, shape: Shape, mayPass: bool): rea
   const isEnd = turnToSide(sweep, wall);
   if ((isEnd || (starts && isRail)) && !goesIn(FLAT)) return 1;
   const grazes = onAxle && !goesIn(ROLLING);
-  if (!starts && !grazes && endsInside(wall, shape, isRail)) return sweep.fraction;
-  if (!mayPass) return 1;
+  const solved = isSolved(t, row, other);
+  if (!solved && !starts && !grazes && endsInside(wall, shape, isRail)) return sweep.fraction;
+  if (!mayPass || (solved && starts && isBullet(t, bodyOf(t, other)))) return 1;
   const fraction = sweep.fraction;
   const nx = sweep.nx;
   const ny = sweep.ny;
   const part = CORE_PART * shape.minExtent;
   // What flies or rolls is deflected by what it grazes.
   const graze = impact.touches && !isRail ? SAFE_PATH : GRAZE * target;
-  const sinks = grazes || (starts && !isRail);
+  const sinks = solved || grazes || (starts && !isRail);
   moveCore(wall, sinks ? part : max<real>(part, shape.minExtent - graze));
   if (starts && isRail) {
     if (sweep.isHit == 0) return 1;
@@ -297,12 +343,10 @@ const STEEP: real = 0.7071067811865476;
   );
 }
 
-// Takes the part of the movement that goes into a surface with this normal.
+// Takes the part of the movement that goes into a surface with this normal: what moves takes the body along.
 function slide(t: RigidTable, row: i32, sweep: Sweep): void {
   const state = stateOf(t, row);
-  const x = sweep.endBx - sweep.bx;
-  const y = sweep.endBy - sweep.by;
-  const depth = min<real>(0, x * sweep.nx + y * sweep.ny);
+  const depth = min<real>(0, moveAlong(sweep.nx, sweep.ny));
   state.dx -= depth * sweep.nx;
   state.dy -= depth * sweep.ny;
 }

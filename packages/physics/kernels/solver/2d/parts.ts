@@ -136,3 +136,12 @@ export function writeParts(table: usize, all: i32): void {
   put(c.positionY, row, get(c.positionY, body) + (sine * x + cosine * y));
   put(t.angle, row, angle + get(t.attachmentAngle, row));
 }
+
+// A compound is a bullet when one of its parts is.
+export function isBullet(t: RigidTable, row: i32): bool {
+  if (word(t.bullet, row) != 0) return true;
+  for (let part = word(t.firstParts, row); part != 0; part = word(t.nextParts, part)) {
+    if (word(t.bullet, part) != 0) return true;
+  }
+  return false;
+}

@@ -18,8 +18,13 @@ export function ignorePair(table: usize, i: i32): void {
   contactAt(t, word(t.newContacts, i)).flags |= IGNORED;
 }
 
-// Whether the user's function has refused a pair: a binary search.
+// Whether the user's function has refused a pair.
 export function isIgnored(t: RigidTable, a: i32, b: i32): bool {
+  return (flagsOfPair(t, a, b) & IGNORED) != 0;
+}
+
+// The flags of the contact of a pair, 0 if it has none: a binary search.
+export function flagsOfPair(t: RigidTable, a: i32, b: i32): u32 {
   const key = keyOf(a, b);
   let low = 0;
   let high = t.contactCount;
@@ -28,5 +33,5 @@ export function isIgnored(t: RigidTable, a: i32, b: i32): bool {
     if (keyAt(t.keys, middle) < key) low = middle + 1;
     else high = middle;
   }
-  return low < t.contactCount && keyAt(t.keys, low) == key && (contactInOrder(t, low).flags & IGNORED) != 0;
+  return low < t.contactCount && keyAt(t.keys, low) == key ? contactInOrder(t, low).flags : 0;
 }
