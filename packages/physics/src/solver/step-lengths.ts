@@ -6,8 +6,11 @@ import { RigidTableNumber as Value } from '../memory/layouts.gen.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import { rigidTable } from './rigid-table.ts';
 
-/** Factor of the recent length of sub-steps in each step that is shorter. */
-const DECAY = 0.75;
+/**
+ * Factor of the recent length of sub-steps in each step that is shorter. The stiffness of contacts follows this length: slowly, so
+ * that a tower follows it.
+ */
+const DECAY = 0.97;
 
 /** Joints keep the whole impulses of a short step, and so may grow by no more than this in the next one. */
 const MAX_JOINT_GROWTH = 8;

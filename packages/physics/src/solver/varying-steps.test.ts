@@ -19,6 +19,23 @@ describe.each(['f32', 'f64'] as const)('in %s', (precision) => {
     }
   });
 
+  // What bears a tower is as stiff in all steps: else it sinks in by another depth in each, and topples or never comes to rest.
+  it.each([1 / 60, 1 / 120, 1 / 240])(
+    'a tower of twelve boxes stands and falls asleep where steps of 1/30 s and %f s alternate',
+    (short) => {
+      const world = rigidWorld({ precision });
+      spawn(world, { position: { y: -0.5 }, collider: { shape: box(40, 1), friction: 0.6 } });
+      const collider = { shape: box(1, 1), density: 500, friction: 0.5 };
+      const ids = Array.from({ length: 12 }, (_, i) => spawn(world, { position: { y: 0.5 + i }, collider }));
+      for (let i = 0; world.time < 30; i++) step(world, i % 2 === 0 ? short : 1 / 30);
+      // A tenth of what would topple it.
+      for (const id of ids) {
+        expect(Math.abs(world.components.Position.x[id])).toBeLessThan(0.05);
+        expect(isAsleep(world, id)).toBe(true);
+      }
+    },
+  );
+
   // What a long step leaves unsolved, some mm/s, a short one ends by impulses that have nothing to do with its length.
   it.each([1e-8, 1e-6, 1e-4, 1 / 600, 1 / 120])(
     'a tower is not moved by steps of %f s among those of 1/60 s',

@@ -42,7 +42,8 @@ export function prepareContacts(table: usize): void {
   t.deepPairCount = 0;
   t.hitCount = 0;
   t.bouncyCount = 0;
-  const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.h);
+  // Of the longest recent sub-steps: what bears a heap is as stiff in all steps, whatever lengths alternate.
+  const hertz = min<f64>(t.contactHertz, MAX_PART_OF_RATE / t.recentLength);
   soften(hertz, t.contactDampingRatio, t.h);
   const biasRate = <real>(softness.biasRate * softness.massScale);
   const massScale = <real>softness.massScale;
