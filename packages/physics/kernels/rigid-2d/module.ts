@@ -36,6 +36,7 @@ export { hasNewCollisions, listJoints } from '../joints/2d/list-joints';
 export { prepareJoints } from '../joints/2d/prepare-joints';
 export { noteSettings } from '../joints/2d/wake-joints';
 export { startJoints } from '../joints/2d/start-joints';
+export { closeTorn } from '../joints/2d/torn-trees';
 export { listBroken } from '../joints/2d/watch-joints';
 export { solveAxes } from '../joints/2d/solve-axes';
 export { relaxLocks, solveLocks } from '../joints/2d/solve-locks';

@@ -160,6 +160,7 @@ export const jointTable = namedResource('joint table', (world): JointTable => {
     Word.treeJoints,
     Word.treeStarts,
     Word.bends,
+    Word.loops,
     Word.projected,
     Word.responseOf,
     Word.responsesIn,

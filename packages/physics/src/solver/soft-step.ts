@@ -259,6 +259,7 @@ function bounce({ kernels, at, joints }: Solving, isCrowded: boolean): void {
 
 /** Keeps impulses for the next step, stops what would pass through something, and writes columns and events. */
 function endStep(world: PhysicsWorld, { kernels, at, joints }: Solving): void {
+  if (joints !== 0) kernels.closeTorn(joints);
   kernels.storeImpulses(at);
   kernels.stopFastBodies(at);
   endStage(world, 'continuous');

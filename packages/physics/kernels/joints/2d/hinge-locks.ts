@@ -48,6 +48,7 @@ import {
 import { HingeStart, JointPlace } from './joint-work';
 import { boundedVector, finite, finiteVector } from './joint-rows';
 import { COMPLIANCE } from './soft-impulse';
+import { TORN, isTorn } from './torn-trees';
 
 // The velocity that the anchor of the child is to have from that of the parent.
 // @ts-ignore: decorator
@@ -57,7 +58,7 @@ import { COMPLIANCE } from './soft-impulse';
 
 // The anchors where the bodies are now; `softness` is that of joints.
 // @ts-ignore: decorator
-@inline export function measureHinge(rigid: RigidTable, at: JointPlace, start: HingeStart): void {
+@inline export function measureHinge(t: JointTable, rigid: RigidTable, at: JointPlace, start: HingeStart): void {
   const p = stateOf(rigid, at.parentRow);
   const c = stateOf(rigid, at.childRow);
   const parent = turnedBy(turnOf(p), startOfParent(start));
@@ -68,7 +69,8 @@ import { COMPLIANCE } from './soft-impulse';
   setChord(at, chord);
   const between = plus(startBetween(start), minus(movementOf(c), movementOf(p)));
   const gap = minus(plus(between, child), parent);
-  setWanted(start, plus(chord, times(softness.biasRate, boundedVector(gap))));
+  const pull = dot2(gap, gap) > TORN && isTorn(t, at) ? f64x2.splat(0) : boundedVector(gap);
+  setWanted(start, plus(chord, times(softness.biasRate, pull)));
 }
 
 // @ts-ignore: decorator

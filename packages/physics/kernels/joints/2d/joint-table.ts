@@ -113,6 +113,9 @@ export class JointTable {
   treeStarts: usize;
   // By tree: how many of its joints let it bend.
   bends: usize;
+  // By tree: whether joints close loops in it; and how many of its hinges are torn apart in this step (torn-trees.ts).
+  loops: usize;
+  tornCount: i32;
   // By tree: in which round of projections it was projected last (project-trees.ts).
   projected: usize;
   projections: i32;

@@ -1,6 +1,7 @@
 // The trees of joints one by one, for what changes one and no other.
 import { putWord, word } from '../../solver/2d/body';
 import { JointTable } from './joint-table';
+import { isInTree } from './joint-trees';
 import { placeAt } from './joint-work';
 import { isRigid } from './list-active';
 
@@ -15,6 +16,7 @@ export function listByTree(t: JointTable): void {
   for (let tree = 0; tree < t.rootCount; tree++) {
     putWord(t.treeOf, word(t.roots, tree), tree + 1);
     putWord(t.bends, tree, 0);
+    putWord(t.loops, tree, 0);
   }
   // How many joints each tree has, two places further: `append` moves the starts by one place.
   for (let k = 0; k < t.treeCount; k++) {
@@ -27,6 +29,15 @@ export function listByTree(t: JointTable): void {
     putWord(t.treeStarts, tree + 1, word(t.treeStarts, tree) + word(t.treeStarts, tree + 1));
   }
   for (let k = 0; k < t.treeCount; k++) append(t, treeOfRow(t, placeAt(t, k).parentRow), k);
+  for (let i = 0; i < t.activeCount; i++) {
+    if (isInTree(word(t.parents, i))) continue;
+    noteLoop(t, word(t.nodes, 2 * i));
+    noteLoop(t, word(t.nodes, 2 * i + 1));
+  }
+}
+
+function noteLoop(t: JointTable, row: i32): void {
+  if (row != 0 && treeOfRow(t, row) >= 0) putWord(t.loops, treeOfRow(t, row), 1);
 }
 
 function append(t: JointTable, tree: i32, k: i32): void {

@@ -19,7 +19,7 @@ export function measureJoint(t: JointTable, k: i32): void {
   const work = workAt(t, k);
   const at = placeAt(t, k);
   if (at.hinge != 0) {
-    measureHinge(changetype<RigidTable>(t.rigid), at, startAt(t, k));
+    measureHinge(t, changetype<RigidTable>(t.rigid), at, startAt(t, k));
   } else {
     locate(t, work);
     measureLocks(t, work);

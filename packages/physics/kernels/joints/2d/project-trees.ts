@@ -34,7 +34,7 @@ export function foreseeProjections(t: JointTable, rigid: RigidTable): void {
   softenJoint(rigid);
   startRods(t);
   for (let k = 0; k < t.workCount; k++) {
-    if (placeAt(t, k).hinge == PLAIN) measureHinge(rigid, placeAt(t, k), startAt(t, k));
+    if (placeAt(t, k).hinge == PLAIN) measureHinge(t, rigid, placeAt(t, k), startAt(t, k));
     else measureJoint(t, k);
   }
   if (t.otherCount > 0) releaseRods(t);

@@ -80,7 +80,7 @@ export function solveAll(t: JointTable, rigid: RigidTable, bias: f64, soft: bool
   for (let k = 0; t.otherCount > 0 && k < t.closedCount; k++) if (placeAt(t, k).hinge != PLAIN) pushAxes(t, k);
   for (let k = t.treeCount - 1; k >= 0; k--) {
     const at = placeAt(t, k);
-    if (soft && at.hinge == PLAIN) measureHinge(rigid, at, startAt(t, k));
+    if (soft && at.hinge == PLAIN) measureHinge(t, rigid, at, startAt(t, k));
     if (at.hinge != 0) gatherHinge(t, rigid, at, startAt(t, k), soft, factor);
     else gatherJoint(t, rigid, k, bias, factor);
   }
