@@ -220,6 +220,7 @@ test('many rays find what they find one by one', () => {
   expect(alone.filter((hit) => hit !== undefined).length).toBeGreaterThan(20);
   expect(rayCastMany(world, rays, { ignore: 7 })).toEqual(alone);
   expect(rayCastMany(world, [])).toEqual([]);
+  expect(() => rayCastMany(world, undefined as never)).toThrow('rayCastMany: rays must be an array');
   expect(() => rayCastMany(world, [rays[0], { from: at(), to: { x: Number.NaN, y: 0 } }])).toThrow(/rays\[1\]/);
 });
 

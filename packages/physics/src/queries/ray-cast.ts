@@ -1,5 +1,5 @@
 import type { PointInput } from '../collision/shapes/2d/shape.ts';
-import { checkKeys, checkList, checkPoint } from '../errors/validate.ts';
+import { checkKeys, checkPoint, mustBe } from '../errors/validate.ts';
 import { placeParts } from '../solver/refresh-parts.ts';
 import type { PhysicsWorld } from '../world/types.ts';
 import {
@@ -56,7 +56,7 @@ export interface Ray {
  */
 export function rayCastMany(world: PhysicsWorld, rays: readonly Ray[], filter: QueryFilter = {}): (Hit | undefined)[] {
   assertPlanar(world, 'rayCastMany');
-  checkList(rays, 'rayCastMany: rays');
+  if (!Array.isArray(rays)) throw mustBe('an array of { from, to }', rays, 'rayCastMany: rays');
   placeParts(world);
   const trees = treesOf(world, rays.length);
   return rays.map((ray, i) => {
