@@ -74,6 +74,7 @@ export function boxWalls(options: BoxWallsOptions): BoxSystem {
 
 /**
  * Replaces the first `boxWalls` of a world by a box with these options, wherever it stands among the walls; a world without one gets it.
+ * Walls have no velocity: a box that shrinks from step to step does no work on what it holds.
  * @throws PhysicsError as `boxWalls`; E_DESTROYED
  */
 export function replaceBoxWalls(world: PhysicsWorld, options: BoxWallsOptions): void {
