@@ -35,7 +35,7 @@ export function createArena(bytes: number, reserved: number, arenaBytes: number)
       hint:
         pages > MAX_PAGES
           ? 'A world can have at most 4096 MiB: lower `capacity`, or use precision "f32".'
-          : 'The machine has no more: lower `capacity`, use precision "f32", or destroy worlds that are no longer needed, and keep no reference to them or to their columns.',
+          : 'The machine has no more: lower `capacity`, use precision "f32", or destroy worlds that are no longer needed, and drop their columns.',
     });
     error.cause = cause;
     throw error;
