@@ -1,5 +1,15 @@
 // Chains that are torn apart come together again: a jerk of a heavy load, or a body that is put elsewhere, is not the end of them.
-import { capsule, circle, createJoint, energy, type PhysicsWorld, revolute, spawn, step } from '@principia/physics';
+import {
+  box,
+  capsule,
+  circle,
+  createJoint,
+  energy,
+  type PhysicsWorld,
+  revolute,
+  spawn,
+  step,
+} from '@principia/physics';
 import { describe, expect, it, test } from 'vitest';
 import { DT, rigidWorld, run } from '../../../../test/support/rigid-world.ts';
 
@@ -87,4 +97,32 @@ test('what is pulled apart in free space keeps its centre of mass, and gets no s
   expect(middle('y')).toBeCloseTo(before[1], 9);
   // Only the last two centimetres are pulled together by velocities, which end with them.
   for (const id of [a, b, c]) expect(Math.hypot(Velocity.x[id], Velocity.y[id])).toBeLessThan(0.05);
+});
+
+test('a ball is not moved through a wall after the chain that is drawn out of a slit', () => {
+  const world = rigidWorld({ precision: 'f64' });
+  for (const side of [-1, 1]) spawn(world, { position: { y: 1.1 * side }, collider: { shape: box(0.3, 2) } });
+  const ball = spawn(world, { position: { x: -0.6 }, collider: { shape: circle(0.25), density: 100 } });
+  let last = ball;
+  for (let i = 0; i < 12; i++) {
+    const x = -0.35 + i * LENGTH;
+    const collider = { shape: capsule(0.7 * LENGTH, 0.03), density: 100, group: -1 };
+    const b = spawn(world, { position: { x: x + LENGTH / 2 }, collider });
+    createJoint(world, revolute({ a: last, b, anchor: { x } }));
+    last = b;
+  }
+  // It goes on for a metre after the ball has come to the wall, whatever that takes.
+  const hand = spawn(world, {
+    position: { x: 2.05 },
+    velocity: { x: 2 },
+    kinematic: {},
+    collider: { radius: 0.01, mask: 0 },
+  });
+  createJoint(world, revolute({ a: hand, b: last, anchor: { x: 2.05 } }));
+  const { Position, Velocity } = world.components;
+  for (let i = 0; i < 200; i++) {
+    if (Position.x[hand] > 3) Velocity.x[hand] = 0;
+    step(world, DT);
+    expect(Position.x[ball]).toBeLessThan(-0.15);
+  }
 });

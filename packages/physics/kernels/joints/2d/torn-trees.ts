@@ -27,7 +27,7 @@ import {
 import { MOST_ERROR } from './joint-rows';
 import { JointTable } from './joint-table';
 import { JointPlace, placeAt, startAt } from './joint-work';
-import { treeOfRow } from './list-by-tree';
+import { bodyOfTree, jointsOfTree, treeOfRow } from './list-by-tree';
 
 // The square of the gap beyond which a hinge is torn, m². In chains that swing with a hundred times the mass of a link gaps are below
 // 1 mm; 10 cm would leave those between apart, which keep opening others.
@@ -36,11 +36,21 @@ export const TORN: f64 = 0.02 * 0.02;
 // The rate k at which gaps close, 1/s.
 const RATE: f64 = 15;
 
-// Whether a hinge with such a gap is brought together by positions, and not by velocities: in a tree without loops. Notes it.
+// Whether a hinge with such a gap is brought together by positions, and not by velocities. Notes it.
 export function isTorn(t: JointTable, at: JointPlace): bool {
-  const tree = treeOfRow(t, at.parentRow);
-  if (tree < 0 || word(t.loops, tree) != 0) return false;
+  if (!isFree(t, treeOfRow(t, at.parentRow))) return false;
   t.tornCount++;
+  return true;
+}
+
+// Whether the bodies of a tree may be moved so: joints close no loops in it, and no contact is in the way, through which they would pass.
+function isFree(t: JointTable, tree: i32): bool {
+  if (tree < 0 || word(t.loops, tree) != 0) return false;
+  const usedColors = changetype<RigidTable>(t.rigid).usedColors;
+  for (let i = jointsOfTree(t, tree); i >= 0; i--) {
+    const row = bodyOfTree(t, tree, i);
+    if (row != 0 && word(usedColors, row) != 0) return false;
+  }
   return true;
 }
 
@@ -88,7 +98,7 @@ function shiftChild(t: JointTable, rigid: RigidTable, at: JointPlace, k: i32, pa
 
 // The part of its gap that a torn hinge closes, from the parent to the child.
 function closing(t: JointTable, rigid: RigidTable, at: JointPlace, k: i32, part: f64): v128 {
-  if (at.hinge == 0 || word(t.loops, treeOfRow(t, at.parentRow)) != 0) return f64x2.splat(0);
+  if (at.hinge == 0) return f64x2.splat(0);
   const p = stateOf(rigid, at.parentRow);
   const c = stateOf(rigid, at.childRow);
   const start = startAt(t, k);
@@ -96,7 +106,8 @@ function closing(t: JointTable, rigid: RigidTable, at: JointPlace, k: i32, part:
   const arms = minus(turnedBy(turnOf(c), startOfChild(start)), turnedBy(turnOf(p), startOfParent(start)));
   const gap = plus(between, arms);
   const square = dot2(gap, gap);
-  return square > TORN ? times(min<f64>(part, MOST_ERROR / sqrt<f64>(square)), gap) : f64x2.splat(0);
+  if (!(square > TORN) || !isFree(t, treeOfRow(t, at.parentRow))) return f64x2.splat(0);
+  return times(min<f64>(part, MOST_ERROR / sqrt<f64>(square)), gap);
 }
 
 // Of a tree that nothing holds the sum of mass times shift, and less than 0 the mass.
