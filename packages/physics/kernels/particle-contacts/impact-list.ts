@@ -9,6 +9,9 @@ const WORDS_SIZE: usize = 8;
 // An impact after which a body rests has this in place of its restitution.
 export const RESTS: real = -1;
 
+// Under such forces elastic impacts act at the end of the step (impacts.ts), up to this depth, in sums of the radii.
+export const MAX_DEPTH: real = 0.25;
+
 // Notes an impact with restitution `e` a `time` ago. Returns the address of the next number, 0 if there is no place or
 // no need for it.
 export function noteImpact(t: ContactTable, a: i32, b: i32, e: real, time: real): usize {

@@ -20,7 +20,7 @@ import { Columns, get, put } from '../memory/columns';
 import { approach, readRelativeMotion, readSeparation } from './approach';
 import { Body, body, applyVelocityChange } from './body';
 import { applyFriction } from './friction';
-import { noteImpact, noteVector } from './impact-list';
+import { MAX_DEPTH, noteImpact, noteVector } from './impact-list';
 import { ContactTable, FINITE, putWord, word } from './table';
 import { roundImpact, timeSinceRoundImpact } from './time-of-impact';
 
@@ -28,9 +28,6 @@ import { roundImpact, timeSinceRoundImpact } from './time-of-impact';
 const COLLIDED: i32 = 1;
 
 const SLICES: i32 = 64;
-
-// Elastic impacts act at the end of the step up to this depth, in sums of the radii, if forces are uneven.
-const MAX_DEPTH: real = 0.25;
 const MAX_PASSES: i32 = 4;
 
 export function resolveImpacts(c: Columns, t: ContactTable, dt: real, lag: real): void {

@@ -1,7 +1,7 @@
 // Round bodies against half-spaces that are solid where n.x < offset (2D and 3D). The formulas are in impact.ts.
 import { Columns, columns, get, put } from '../../memory/columns';
 import { applyWallFriction, timeOfImpulse } from '../friction';
-import { RESTS, noteImpact, noteVector } from '../impact-list';
+import { MAX_DEPTH, RESTS, noteImpact, noteVector } from '../impact-list';
 import { WALL_MARGIN, contactTable, word } from '../table';
 import { LANES, add, at, mul, splat, sub } from '../../memory/lanes';
 import { computeReboundDistance, computeImpactSpeed, computeTimeSinceImpact } from './impact';
@@ -21,9 +21,6 @@ export class PlaneColumns {
   startY: usize;
   startZ: usize;
 }
-
-// Elastic impacts act at the end of the step up to this depth, in radii, if forces are uneven.
-const MAX_DEPTH: real = 0.25;
 
 // Bodies are tested against the planes repeatedly, so that they do not leave a wedge of planes.
 const MAX_ITERATIONS: i32 = 4;
@@ -109,10 +106,11 @@ function bounce(p: PlaneColumns, c: Columns, row: i32, id: i32, dt: real, lag: r
   }
   const timeSinceImpact = computeTimeSinceImpact<real>(depth, speed, acceleration, dt);
   const impact = computeImpactSpeed<real>(speed, acceleration, timeSinceImpact);
-  const reboundSpeed = max<real>(get(c.restitution, row), get(p.restitution, id)) * impact;
+  const restitution = max<real>(get(c.restitution, row), get(p.restitution, id));
+  const reboundSpeed = restitution * impact;
   const reboundDistance = computeReboundDistance<real>(reboundSpeed, acceleration, timeSinceImpact, 0.5);
   const rebounds = reboundDistance > 0 && impact > 0;
-  const e = rebounds ? max<real>(get(c.restitution, row), get(p.restitution, id)) : RESTS;
+  const e = rebounds ? restitution : RESTS;
   // As in impacts.ts: under forces that depend on position or velocity an elastic impact acts at the end of the step.
   const isLate = e >= 1 && depth <= MAX_DEPTH * radius && isUneven(c);
   const outgoing = isLate ? e * speed + acceleration * lag : reboundSpeed - acceleration * (timeSinceImpact - lag);

@@ -9,7 +9,7 @@ import { Columns } from '../../memory/columns';
 import { COLLIDES, SLEEPLESS, STATIC } from './body';
 import { RigidTable } from './rigid-table';
 
-// Columns end with a multiple of these rows.
+// Rows that are looked at together: columns end with a multiple of them.
 export const GROUP: i32 = 16;
 
 const PRIME: i32 = 0x01000193;

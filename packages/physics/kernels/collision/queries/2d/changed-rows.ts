@@ -3,6 +3,7 @@
 import { Columns, columns, get } from '../../../memory/columns';
 import { putWord, word } from '../../../solver/2d/body';
 import { RigidTable } from '../../../solver/2d/rigid-table';
+import { GROUP } from '../../../solver/2d/settled-rows';
 
 // Copies of four columns of reals and two of words are kept.
 const REALS: usize = 4;
@@ -13,9 +14,6 @@ const REALS: usize = 4;
 
 // Where more than one row of so many changed, looking at all of them takes no longer.
 const FEW: i32 = 8;
-
-// Rows that are compared at once: columns end with a multiple of them.
-const GROUP: i32 = 16;
 
 // Keeps where bodies and their shapes are.
 export function rememberColumns(t: RigidTable, rows: i32): void {
