@@ -1,10 +1,10 @@
 /** The page of `failing-world.test.ts`: a game whose worlds of some dimensions cannot be made, `?failing=2,3` at the start. */
 import { createPhysicsWorld, spawn } from '@principia/physics';
-import { createBodyLayer } from '@principia/render-pixi';
 import { createBodyMesh } from '@principia/render-three';
 import { startGame } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import { openThreeView } from '@principia/shell/three';
+import { paintBodies } from '../support/paint-bodies.ts';
 
 const lab = { failing: (new URLSearchParams(location.search).get('failing') ?? '').split(',').map(Number) };
 
@@ -33,10 +33,7 @@ startGame(
         open: (context) =>
           openPixiView(context, {
             bounds: () => ({ minX: -2, minY: -2, maxX: 2, maxY: 2 }),
-            paint(_sim, source) {
-              const { container, update, destroy } = createBodyLayer({ source });
-              return { container, update, destroy };
-            },
+            paint: paintBodies,
           }),
       },
       three: {

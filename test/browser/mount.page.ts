@@ -1,10 +1,10 @@
 /** The page of `mount.test.ts`: games that start in an element of the page, or on all of it, and stop again. */
 import { boxWalls, createPhysicsWorld, replaceForce, spawn, uniformGravity } from '@principia/physics';
-import { createBodyLayer } from '@principia/render-pixi';
 import { createBodyMesh } from '@principia/render-three';
 import { FOUR_WAYS, type GameDefinition, type RunningGame, type Simulation, startGame } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
 import { openThreeView } from '@principia/shell/three';
+import { paintBodies } from '../support/paint-bodies.ts';
 
 type Fall = Simulation & { readonly pressed: string[] };
 
@@ -42,10 +42,7 @@ const game: GameDefinition<typeof SETTINGS, Fall> = {
       open: (context) =>
         openPixiView(context, {
           bounds: () => ({ minX: -2, minY: 0, maxX: 2, maxY: 5 }),
-          paint(_sim, source) {
-            const { container, update, destroy } = createBodyLayer({ source });
-            return { container, update, destroy };
-          },
+          paint: paintBodies,
         }),
     },
     three: {

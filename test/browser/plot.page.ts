@@ -1,8 +1,8 @@
 /** The page of `plot.test.ts`: a mass that swings far faster than the frames, at a thousand steps a second. */
 import { createPhysicsWorld, defineLaw, energy, scalar, spawn, velocityVerlet } from '@principia/physics';
-import { createBodyLayer } from '@principia/render-pixi';
 import { startGame } from '@principia/shell';
 import { openPixiView } from '@principia/shell/pixi';
+import { paintBodies } from '../support/paint-bodies.ts';
 
 /** Angular frequency of 19 Hz, rad/s. */
 const OMEGA = 2 * Math.PI * 19;
@@ -38,10 +38,7 @@ startGame({
       open: (context) =>
         openPixiView(context, {
           bounds: () => ({ minX: -2, minY: -2, maxX: 2, maxY: 2 }),
-          paint(_sim, source) {
-            const { container, update, destroy } = createBodyLayer({ source });
-            return { container, update, destroy };
-          },
+          paint: paintBodies,
         }),
     },
   },

@@ -1,8 +1,8 @@
 /** The page of `timeline.test.ts`: a fall on a floor, with a bar of its recorded time unless the address says `bare`. */
 import { boxWalls, createPhysicsWorld, replaceForce, spawn, uniformGravity } from '@principia/physics';
-import { createBodyLayer } from '@principia/render-pixi';
 import { startGame } from '@principia/shell';
 import { openPixiView, type PixiView } from '@principia/shell/pixi';
+import { paintBodies } from '../support/paint-bodies.ts';
 
 let view: PixiView | undefined;
 
@@ -38,10 +38,7 @@ startGame({
       async open(context) {
         view = await openPixiView(context, {
           bounds: () => ({ minX: -2, minY: 0, maxX: 2, maxY: 5 }),
-          paint(_sim, source) {
-            const { container, update, destroy } = createBodyLayer({ source });
-            return { container, update, destroy };
-          },
+          paint: paintBodies,
         });
         return view;
       },
